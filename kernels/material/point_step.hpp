@@ -42,6 +42,9 @@ struct PointMotion {
   VolumeChange<T> change{T(0), T(1)};
   bool is_apart = false;              // the point turns on its own, apart from the frame
   Vector3<T> spin{T(0), T(0), T(0)};  // then: its spin dt beyond the turn of the frame, axial vector
+
+  /// V / V(0) at the middle of the step.
+  KOKKOS_INLINE_FUNCTION T middle_volume_ratio() const { return volume_ratio - T(0.5) * change.growth; }
 };
 
 /// The state of the point, in at n and out at n+1, and what the element has to know of it.

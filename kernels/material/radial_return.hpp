@@ -147,7 +147,7 @@ KOKKOS_INLINE_FUNCTION void return_by_isotropic_hardening(const Material& m, Poi
   if constexpr (requires { m.heat(step.history, dp, dp, 1.0); }) {
     const Symmetric3<T> deviator = add_pressure(step.stress, T(-1.0 / 3.0) * trace(step.stress));
     const T before = square_root(T(1.5)) * square_root(contract(deviator, deviator));
-    m.heat(step.history, dp, T(0.5) * (before + flow_stress), step.density);
+    m.heat(step.history, dp, step.motion.middle_volume_ratio() * (T(0.5) * (before + flow_stress)), step.density);
   }
   return_stress(trial, resistance, dp, flow_stress, step);
 }

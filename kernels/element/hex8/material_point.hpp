@@ -98,6 +98,7 @@ template <int Part, class T>
 PERCUSS_FORCE_INLINE PointMotion<Wide<T>> widen_motion(const PointMotion<T>& m) {
   PointMotion<Wide<T>> wide{widen_tensor<Part>(m.de), widen<Part>(m.dt),        widen<Part>(m.volume_ratio),
                             widen<Part>(m.length),    widen<Part>(m.viscosity), m.time};
+  wide.change = {widen<Part>(m.change.growth), widen<Part>(m.change.inverse)};
   wide.is_apart = m.is_apart;
   wide.spin = {widen<Part>(m.spin.x), widen<Part>(m.spin.y), widen<Part>(m.spin.z)};
   return wide;

@@ -6,9 +6,9 @@
 namespace percuss {
 
 /// Flow stress (A + B p^n) (1 + C ln r) (1 - t^m), r = max(rate of p / reference_rate, 1), t = (T - T_room) / (T_melt -
-/// T_room) between 0 and 1; at t = 1 nothing of it is left. No heat is conducted: rho cp dT = beta sigma dp. The flow
+/// T_room) between 0 and 1; at t = 1 nothing of it is left. No heat is conducted: rho0 cp dT = beta J sigma dp. The flow
 /// stress of a step takes the temperature of its beginning, its heat the mean flow stress. With an equation of state
-/// p(J, e) compression heats it too: dT = -T_abs dp/de dJ without heat (Maxwell's relation), and rho cp dT = -q dJ by
+/// p(J, e) compression heats it too: dT = -T_abs dp/de dJ without heat (Maxwell's relation), and rho0 cp dT = -q dJ by
 /// the viscous pressure, which stands for the shock. History: p, T.
 struct JohnsonCook {
   static constexpr const char* name = "johnson_cook";
@@ -102,10 +102,10 @@ struct JohnsonCook {
     return {*this, p, softening, T(1) / larger(T(reference_rate) * dt, T(1e-300)), at_rest};
   }
 
-  /// What dp under this mean stress heats.
+  /// Heats by the plastic work of dp. stress: Kirchhoff stress J sigma, the mean of the step; density: at the start.
   template <class T>
-  KOKKOS_INLINE_FUNCTION void heat(T* history, const T& dp, const T& mean_stress, double density) const {
-    history[1] = history[1] + T(heating_share / (density * specific_heat)) * mean_stress * dp;
+  KOKKOS_INLINE_FUNCTION void heat(T* history, const T& dp, const T& stress, double density) const {
+    history[1] = history[1] + T(heating_share / (density * specific_heat)) * stress * dp;
   }
 
   template <class T>

@@ -70,14 +70,14 @@ inline double largest_difference(const Symmetric3<double>& a, const Symmetric3<d
 }
 
 /// The rate equations of J2 plasticity by Euler's method in many substeps, from what a test says of the flow:
-///   s' = 2 mu (dev d - 3/2 p' (s - a) / |s - a|),  a' = k p' (s - a) / |s - a|,  T' = heat p' |s|,  |s| von Mises
+///   s' = 2 mu (dev d - 3/2 p' (s - a) / |s - a|),  a' = k p' (s - a) / |s - a|,  T' = heat J p' |s|,  |s| von Mises
 /// p' either from consistency (yield and slope over p), or from a law p'(von Mises stress, p, T).
 struct PlasticReference {
   LameConstants moduli;
   double kinematic = 0;
   double heat = 0;
   Symmetric3<double> deviator{}, back{};
-  double pressure = 0, p = 0, temperature = 0;
+  double pressure = 0, p = 0, temperature = 0, log_volume = 0;
 
   template <class YieldOf, class SlopeOf>
   void follow_by_consistency(const Leg& leg, int substeps, const YieldOf& yield, const SlopeOf& slope) {
@@ -109,7 +109,8 @@ struct PlasticReference {
       const double flowing = flow(n, size, rate);
       deviator = deviator + (2 * moduli.mu * dt) * (rate + (-1.5 * flowing) * n);
       back = back + (kinematic * flowing * dt) * n;
-      temperature += heat * flowing * von_mises(deviator) * dt;
+      log_volume += 3 * mean * dt;
+      temperature += heat * std::exp(log_volume) * flowing * von_mises(deviator) * dt;
       p += flowing * dt;
       pressure -= (moduli.lambda + 2.0 / 3.0 * moduli.mu) * 3 * mean * dt;
     }

@@ -1,4 +1,5 @@
-// A Taylor bar of Johnson-Cook steel: shape and temperature of two other codes.
+// A Taylor bar of Johnson-Cook steel: shape and temperature of two other codes. Heat of plastic work against its closed
+// form where the volume changes.
 
 #include <gtest/gtest.h>
 
@@ -46,6 +47,42 @@ output:
   EXPECT_NEAR(length, 26.54e-3, 0.01 * 26.54e-3);
   EXPECT_NEAR(0.5 * (axis + diagonal), 11.185e-3, 0.03 * 11.185e-3);
   EXPECT_NEAR(hot, 589.5, 0.03 * 589.5);
+}
+
+namespace {
+
+/// A cube of perfectly plastic metal that is pulled or pushed along x to a volume of `volume`, held across. kind: how
+/// its elements are given. Returns how much warmer it is.
+double find_rise(const std::string& kind, double volume) {
+  const Outcome run = run_deck(fmt::format(R"(
+title: cube of uniaxial strain
+time: {{end: 1e-3}}
+parts: {{cube: {{box: {{size: [1e-3, 1e-3, 1e-3], cells: [1, 1, 1]}}, material: metal{}}}}}
+materials:
+  metal: {{model: johnson_cook, density: 8000, youngs_modulus: 200e9, poissons_ratio: 0.3, a: 100e6, b: 0, n: 1, melt_temperature: 1e9, room_temperature: 293, start_temperature: 293, specific_heat: 400, heating_share: 1}}
+conditions:
+  - {{nodes: cube, velocity: {{y: 0, z: 0}}}}
+  - {{nodes: cube/x_min, fixed: [x]}}
+  - {{nodes: cube/x_max, velocity: {{x: {:g}}}}}
+output: {{history: {{every: 1e-5, elements: [{{name: e, near: [5e-4, 5e-4, 5e-4]}}]}}}}
+)",
+                                           kind, volume - 1));
+  return run.history.last("e_temperature") - 293;
+}
+
+}  // namespace
+
+// A unit of mass takes J s dp / rho0, with dp = (2/3) dJ / J from the yield on: its work is linear in J.
+TEST(HeatOfPlasticWork, IsThatOfAUnitOfMassWhereTheVolumeChanges) {
+  constexpr double yield = 100e6, heat = 8000 * 400, shear = 200e9 / 2.6;
+  for (const char* kind : {"", ", integration: full", ", integration: thick_shell", ", elements: tetrahedra",
+                           ", elements: wedges", ", elements: pyramids"}) {
+    for (const double volume : {2.0, 0.6}) {
+      const double at_yield = std::exp((volume > 1 ? 0.5 : -0.5) * yield / shear);
+      const double right = 2.0 / 3.0 * yield * std::abs(volume - at_yield) / heat;
+      EXPECT_NEAR(find_rise(kind, volume), right, 3e-3 * right) << kind << " " << volume;
+    }
+  }
 }
 
 }  // namespace percuss::test::johnson_cook_test
