@@ -8,6 +8,7 @@
 
 #include "kernels/element/hex8/hex8_full.hpp"
 #include "kernels/element/hex8/point_mean.hpp"
+#include "kernels/element/hex8/thick_flow.hpp"
 #include "kernels/element/hex8/thick_size.hpp"
 
 namespace percuss {
@@ -189,10 +190,10 @@ struct LayerStep {
   const Vector3<T>& turn;
 };
 
-/// Stress of a point at n+1.
+/// Stress of a point at n+1. Returns PlasticReturn::share.
 template <class T, class Material, class State>
-PERCUSS_FORCE_INLINE void advance_layer(const SolidParameters<Material>& par, const LayerStep<T>& layer,
-                                        const ThickMotion<T>& motion, State& state, ThickSums<T>& sums) {
+PERCUSS_FORCE_INLINE T advance_layer(const SolidParameters<Material>& par, const LayerStep<T>& layer,
+                                     const ThickMotion<T>& motion, State& state, ThickSums<T>& sums) {
   const int p = layer.p;
   const Symmetric3<T>& de = layer.de;
   PointMotion<T> point = motion.mean;
@@ -208,35 +209,55 @@ PERCUSS_FORCE_INLINE void advance_layer(const SolidParameters<Material>& par, co
   const auto response = update_stress(par.material, state.stress[p], state.stress_rest[p], state.history, p, point);
   const auto moduli = find_moduli(par, response);
   take_larger(sums.moduli, {number<T>(moduli.lambda), number<T>(moduli.mu)});
+  if constexpr (Material::can_yield)
+    return response.share;
+  else
+    return T(1);
 }
 
+/// Stresses of a column at n+1.
 template <int N, class T, class Material, class State>
-PERCUSS_FORCE_INLINE void advance_column(const SolidParameters<Material>& par, int c, const ThickMotion<T>& motion,
-                                         const Moduli<T>& moduli, State& state, ThickSums<T>& sums) {
-  const GaussPoint at = find_gauss_point(c);
+PERCUSS_FORCE_INLINE ColumnFlow<T> advance_column(const SolidParameters<Material>& par, int c,
+                                                  const ThickMotion<T>& motion, const Moduli<T>& moduli, State& state,
+                                                  ThickSums<T>& sums) {
   ColumnStep<T, N> column;
-  follow_column(motion, at, column);
+  follow_column(motion, find_gauss_point(c), column);
   const ColumnRelaxation<T> relaxation = relax_column(c, column, moduli, state);
   T moment(0);
   const Vector3<T>& n = column.normal;
   const Symmetric3<T> dyad{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.z * n.x};
-  const ColumnField<T> end = find_column(motion.end, at);
-  ColumnForces<T> force = begin_column<T>();
+  ColumnFlow<T> flow;
+  flow.volume = column.at[N / 2].volume;
   for (int l = 0; l < N; ++l) {
     const int p = 4 * l + c;
     const T zeta = number<T>(LayerRule<N>::place[l]), weight = number<T>(LayerRule<N>::weight[l]);
     const Symmetric3<T> before = state.stress[p];
     const T volume = column.at[l].volume;
-    advance_layer(par, LayerStep<T>{p, column.de[l] + (zeta * relaxation.strain / volume) * dyad, column.turn}, motion,
-                  state, sums);
+    const Symmetric3<T> de = column.de[l] + (zeta * relaxation.strain / volume) * dyad;
+    const T share = advance_layer(par, LayerStep<T>{p, de, column.turn}, motion, state, sums);
     sums.work = sums.work + weight * motion.volume_scale * volume * contract(before + state.stress[p], column.de[l]);
-    if constexpr (Material::can_yield) moment = moment + weight * zeta * dot(n, state.stress[p] * n);
+    if constexpr (Material::can_yield) {
+      moment = moment + weight * zeta * dot(n, state.stress[p] * n);
+      flow.take(weight, before, state.stress[p], motion.volume_scale * volume * trace(column.de[l]), share);
+    }
+  }
+  keep_flow(c, relaxation, moment, state);
+  return flow;
+}
+
+/// Forces of the stresses of a column at n+1, and how large its gradients are.
+template <int N, class T, class State>
+PERCUSS_FORCE_INLINE void push_column(int c, const ThickMotion<T>& motion, const State& state, ThickSums<T>& sums) {
+  const GaussPoint at = find_gauss_point(c);
+  const ColumnField<T> end = find_column(motion.end, at);
+  ColumnForces<T> force = begin_column<T>();
+  for (int l = 0; l < N; ++l) {
+    const T zeta = number<T>(LayerRule<N>::place[l]), weight = number<T>(LayerRule<N>::weight[l]);
     const LayerGeometry<T> now = find_layer_geometry(end, zeta);
-    add_layer(state.stress[p], now, zeta, weight * now.volume, force);
+    add_layer(state.stress[4 * l + c], now, zeta, weight * now.volume, force);
     sums.size.take(c, now, end.across, weight * now.volume);
     sums.smallest_volume = smaller(sums.smallest_volume, now.volume);
   }
-  keep_flow(c, relaxation, moment, state);
   add_column(force, at, sums.force.modes, sums.force.assumed);
 }
 
@@ -252,8 +273,12 @@ requires(is_thick<Kind>) PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const So
   const PointInput<T> input = find_point_input(par, a, state, step, dt);
   const ThickMotion<T> motion = find_thick_motion(a, v, step, state.polar, input.point);
   const Moduli<T> moduli = find_relaxing_moduli(par, input.modulus, state);
+  constexpr int layers = layers_of<Kind>;
   ThickSums<T> sums;
-  for (int c = 0; c < 4; ++c) advance_column<layers_of<Kind>>(par, c, motion, moduli, state, sums);
+  ColumnFlow<T> flow[4];
+  for (int c = 0; c < 4; ++c) flow[c] = advance_column<layers>(par, c, motion, moduli, state, sums);
+  if constexpr (Material::can_yield) sums.work = sums.work + join_columns<layers>(par, flow, state);
+  for (int c = 0; c < 4; ++c) push_column<layers>(c, motion, state, sums);
   add_assumed_forces(motion.end, sums.force.assumed, sums.force.modes);
 
   const VolumeGradient<T> b = find_volume_gradient(a);
