@@ -74,6 +74,7 @@ const std::vector<CheckRule>& check_rules() {
       {"single_layer", check_single_layer, Needs::mesh},
       {"soft_tetrahedra", check_soft_tetrahedra, Needs::mesh},
       {"shear_locking", check_shear_locking, Needs::mesh},
+      {"soft_bending", check_soft_bending, Needs::mesh},
       {"thick_shell_across", check_thick_shell_across, Needs::mesh},
       {"incompressible_solids", check_incompressible_solids, Needs::mesh},
       {"shell_triangles", check_triangles, Needs::mesh},

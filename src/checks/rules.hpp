@@ -75,6 +75,7 @@ std::vector<Warning> check_shell_thickness(const CheckedScene& scene);
 std::vector<Warning> check_single_layer(const CheckedScene& scene);
 std::vector<Warning> check_soft_tetrahedra(const CheckedScene& scene);
 std::vector<Warning> check_shear_locking(const CheckedScene& scene);
+std::vector<Warning> check_soft_bending(const CheckedScene& scene);
 std::vector<Warning> check_thick_shell_across(const CheckedScene& scene);
 std::vector<Warning> check_incompressible_solids(const CheckedScene& scene);
 std::vector<Warning> check_triangles(const CheckedScene& scene);

@@ -47,6 +47,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"single_layer", "sheet of solid elements, one element thick"},
       {"soft_tetrahedra", "slender part of few cells that are cut into five tetrahedra"},
       {"shear_locking", "long elements of 2x2x2 points in a sheet of one layer"},
+      {"soft_bending", "short elements of 2x2x2 points, one across a part that bends"},
       {"thick_shell_across", "thick shells that are not thin along the direction across them"},
       {"incompressible_solids", "tetrahedra, wedges or pyramids of a material whose volume hardly changes"},
       {"shell_triangles", "part of shells that are triangles"},

@@ -283,6 +283,48 @@ std::vector<Warning> check_shear_locking(const CheckedScene& scene) {
   return warnings;
 }
 
+namespace {
+
+/// Length over thickness of the elements of a part that has one across where it bends; 0: it has more.
+double find_lone_ratio(const PartDeck& part, const PartMeasures& measures) {
+  constexpr double least_slender = 5;  // length over thickness: a shorter part hardly bends
+  if (is_single_layer(measures)) return measures.longest_edge / measures.layer_thickness;
+  const auto* box = std::get_if<BoxShape>(&part.shape);
+  if (box == nullptr) return 0;
+  const auto longest = std::max_element(box->size.begin(), box->size.end());
+  const double length = *longest / box->cells[static_cast<std::size_t>(longest - box->size.begin())];
+  double ratio = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (box->cells[k] != 1 || *longest < least_slender * box->size[k]) continue;
+    const double here = length / box->size[k];
+    ratio = ratio > 0 ? std::min(ratio, here) : here;
+  }
+  return ratio;
+}
+
+}  // namespace
+
+// Points of one pressure: only the deviator of the stress bends an element, which alone across has no strain across
+// that is linear. What that leaves of the stiffness of a beam, 0.4, is less than shear adds where elements are short.
+std::vector<Warning> check_soft_bending(const CheckedScene& scene) {
+  constexpr double most = 1.1;  // length over thickness of an element: some 0.9 of the stiffness
+  std::vector<Warning> warnings;
+  for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
+    const PartDeck& part = scene.deck.parts[p];
+    const PartMeasures& measures = scene.measures->parts[p];
+    if (scene.deck.find_elements(p).integration != ElementDeck::Integration::full || part.rigid) continue;
+    const double ratio = find_lone_ratio(part, measures);
+    if (!(ratio > 0) || ratio > most || is_driven(scene.deck, part)) continue;
+    const std::string path = "parts." + part.name + ".integration";
+    warnings.push_back(warn_at(
+        scene.deck, "soft_bending", scene.deck.places.has(path) ? path : "elements.integration",
+        fmt::format("part '{}' has one element across, {:.2g} times as long as it is thick (with 2x2x2 points it bends "
+                    "with some {:.2g} of its stiffness): take two or more across, one_point, or thick_shell",
+                    part.name, ratio, 0.4 + 0.39 * ratio * ratio)));
+  }
+  return warnings;
+}
+
 std::vector<Warning> check_thick_shell_across(const CheckedScene& scene) {
   constexpr const char* names[3] = {"first", "second", "third"};
   std::vector<Warning> warnings;

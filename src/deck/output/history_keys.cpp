@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "kernels/element/hex8/hex_record.hpp"
 #include "kernels/shell/thickness_points.hpp"
 #include "src/deck/asked_for.hpp"
 #include "src/deck/keys/point_keys.hpp"
@@ -12,6 +13,10 @@
 
 namespace percuss {
 namespace {
+
+/// Points with a stress of their own that any element has: plies of shells, or those of a thick shell.
+constexpr int most_element_points =
+    std::max({most_thickness_points, most_layers, hex_points<HexKind::full>, hex_points<HexKind::thick5>});
 
 Keys<HistoryPoint> make_point_keys() {
   Keys<HistoryPoint> keys = {need("name", &HistoryPoint::name, NameValue{})};
@@ -27,7 +32,7 @@ const Keys<HistoryPoint>& node_keys() {
 const Keys<HistoryPoint>& element_point_keys() {
   static const Keys<HistoryPoint> keys = [] {
     Keys<HistoryPoint> more = make_point_keys();
-    more.push_back(may("point", &HistoryPoint::layer, IntegerValue{1, most_thickness_points}));
+    more.push_back(may("point", &HistoryPoint::layer, IntegerValue{1, most_element_points}));
     return more;
   }();
   return keys;
