@@ -44,6 +44,33 @@ PERCUSS_FORCE_INLINE double reduce_growth(const HexLanes& value) {
   return largest;
 }
 
+/// Place of point p in the coordinates of the element.
+template <HexKind Kind>
+PERCUSS_FORCE_INLINE GaussPoint find_hex_point(int p) {
+  GaussPoint at = find_gauss_point(is_thick<Kind> ? p % 4 : p);
+  if constexpr (is_thick<Kind>) at.zeta = LayerRule<layers_of<Kind>>::place[p / 4];
+  if constexpr (hex_points<Kind> == 1) at = {0, 0, 0};
+  return at;
+}
+
+/// Where the points are in space, into the history of a material that asks for it. a: modes of the places.
+template <HexKind Kind, class T, class State>
+PERCUSS_NO_INLINE void leave_places(const CalledMaterial& material, const Vector3<T>& center, const VectorModes<T>& a,
+                                    State& state) {
+  const T eighth = number<T>(0.125);
+  for (int p = 0; p < hex_points<Kind>; ++p) {
+    const auto [xi, eta, zeta] = find_hex_point<Kind>(p);
+    const double phi[7] = {xi, eta, zeta, eta * zeta, zeta * xi, xi * eta, xi * eta * zeta};
+    Vector3<T> x = center;
+    for (int m = 1; m <= 7; ++m) x = x + (eighth * number<T>(phi[m - 1])) * a[m];
+    const T place[3] = {x.x, x.y, x.z};
+    for (int k = 0; k < 3; ++k) {
+      state.history.value[material.place + k][p] = place[k];
+      if constexpr (is_short<T>) state.history.value[material.count_history() + material.place + k][p] = T(0);
+    }
+  }
+}
+
 /// Body of ElementKernel. Packs resist folding that are oblique, and all while an element of the chunk resists, whose
 /// work of the step needs the force at n.
 template <class Material, HexKind Kind>
@@ -84,6 +111,10 @@ class HexBody : public SolidMaterial<HexBlock<Material, Kind>> {
     pack.fetch_third(fetched, 1);
     gather_modes(scratch_.nodes + 4, pack.corners, v);
     auto& state = *reinterpret_cast<State*>(pack.record);
+    if constexpr (is_called<Material>) {
+      const CalledMaterial& material = parameters.material;
+      if (material.place >= 0) leave_places<Kind>(material, gather_center(scratch_.nodes, pack.corners), a, state);
+    }
     HexLanes f[3][8];
     HexResult<HexLanes> result =
         advance_hex8(parameters, a, v, HexLanes(static_cast<Real>(of_.motion.dt)), state, {f[0], f[1], f[2]});

@@ -34,6 +34,19 @@ PERCUSS_NO_INLINE void gather_modes(const Scalar* nodes, const std::uint16_t* co
   for (int m = 1; m < 8; ++m) modes[m] = {u[0][m], u[1][m], u[2][m]};
 }
 
+/// The mean of the corners of the pack's elements. A call, which code of users alone makes.
+template <class Scalar>
+PERCUSS_NO_INLINE Vector3<Pack<Scalar>> gather_center(const Scalar* nodes, const std::uint16_t* corners) {
+  constexpr int width = pack_size<Scalar>;
+  alignas(64) Scalar sums[3][width] = {};
+  for (int i = 0; i < 8 * width; ++i)
+    for (int k = 0; k < 3; ++k)
+      sums[k][i % width] +=
+          nodes[HexScratch::node_size * static_cast<std::size_t>(corners[i]) + static_cast<std::size_t>(k)];
+  const Pack<Scalar> eighth(Scalar(0.125));
+  return {eighth * load_pack(sums[0]), eighth * load_pack(sums[1]), eighth * load_pack(sums[2])};
+}
+
 /// Subtracts the corner forces of the first `lanes` elements from the chunk's force records, element by element.
 PERCUSS_NO_INLINE inline void scatter_forces(const Lanes (&f)[3][8], const std::uint16_t* corners, int lanes,
                                              double* forces) {

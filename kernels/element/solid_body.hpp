@@ -42,6 +42,20 @@ KOKKOS_INLINE_FUNCTION void leave_growth(const StepWatch& watch, int c) {
   if (watch.bound.extent(0) > 0) watch.growth(c) = 0;
 }
 
+/// The mean of the corners x, into the history of a material that asks for it.
+template <class Material, class Field, class State>
+PERCUSS_FORCE_INLINE void leave_place([[maybe_unused]] const Material& material, [[maybe_unused]] const Field& x,
+                                      [[maybe_unused]] State& state) {
+  if constexpr (is_called<Material>) {
+    if (material.place < 0) return;
+    constexpr int corners = sizeof(x.at) / sizeof(x.at[0]);
+    Vector3<Lanes> sum = x.at[0];
+    for (int i = 1; i < corners; ++i) sum = sum + x.at[i];
+    const Lanes share(1.0 / corners), place[3] = {share * sum.x, share * sum.y, share * sum.z};
+    for (int k = 0; k < 3; ++k) state.history.value[material.place + k][0] = place[k];
+  }
+}
+
 /// Body of ElementKernel. Block: with its State, whose numbers lie like those of a record, the Field of its corners,
 /// and a function advance_solid() for these.
 template <class Block_>
@@ -70,8 +84,9 @@ struct SolidBody : SolidMaterial<Block_> {
     pack.fetch_third(size, 1);
     scratch.gather(1, pack.corners, v.at);
     pack.fetch_third(size, 2);
-    auto result =
-        advance_solid(parameters, x, v, Lanes(of.motion.dt), *reinterpret_cast<typename Block::State*>(pack.record), f);
+    auto& state = *reinterpret_cast<typename Block::State*>(pack.record);
+    leave_place(parameters.material, x, state);
+    auto result = advance_solid(parameters, x, v, Lanes(of.motion.dt), state, f);
     if (lives.can_fail()) lives.settle(result, result.size, f.at);
     scratch.scatter(0, f.at, pack);
     sums.take(result, pack);

@@ -2,6 +2,7 @@
 // Numbers of the lanes of a pack as code of users has them: arrays [component][lane].
 
 #include <cstring>
+#include <limits>
 
 #include "kernels/core/tensor.hpp"
 
@@ -41,6 +42,15 @@ void end_deleted(const T& before, T& remains, Symmetric3<T>& stress) {
   remains = select(is_left, remains, T(0));
   for (T* const component : {&stress.xx, &stress.yy, &stress.zz, &stress.xy, &stress.yz, &stress.zx})
     *component = select(is_left, *component, T(0));
+}
+
+/// After code of a user has set the numbers of a history: one that is not finite makes the stress so, which ends the
+/// run in this step.
+template <class T>
+void require_finite(const T* history, int count, Symmetric3<T>& stress) {
+  T none(0);
+  for (int i = 0; i < count; ++i) none = none + T(0) * history[i];
+  stress.xx = select(none == T(0), stress.xx, T(std::numeric_limits<double>::quiet_NaN()));
 }
 
 }  // namespace percuss

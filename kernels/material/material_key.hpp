@@ -79,8 +79,23 @@ struct UserCode {
   VumatFunction vumat = nullptr;
   double density = 0;                  // of the material at the start
   int* has_written_outside = nullptr;  // set to 1 by whoever finds that the code has
+  const char* file = "";               // of the library, as the deck names it
   VuhardFunction vuhard = nullptr;
   VusdfldFunction vusdfld = nullptr;
+  const double* step_starts = nullptr;  // times at which steps of the analysis begin, from the second on
+  int step_count = 0;
+
+  bool has_rising_steps() const {
+    for (int i = 0; i < step_count; ++i)
+      if (!(step_starts[i] > (i > 0 ? step_starts[i - 1] : 0))) return false;
+    return true;
+  }
+  /// Time since the begin of the step of the analysis in which this time lies, or which ends there.
+  double find_step_time(double time) const {
+    double start = 0;
+    for (int i = 0; i < step_count && step_starts[i] < time; ++i) start = step_starts[i];
+    return time - start;
+  }
 };
 
 /// A library with a law, and that law with the constants of a material (law_library.hpp); src/deck/laws/law_code.hpp
@@ -90,6 +105,7 @@ struct MadeLaw {
   const LawLibrary* entry = nullptr;
   const void* law = nullptr;
   int* has_written_outside = nullptr;  // set to 1 by whoever finds that the law has
+  const char* file = "";               // of the library, as the deck names it
 };
 
 /// One constant of C, the struct of constants of a material.

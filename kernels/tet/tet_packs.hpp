@@ -274,6 +274,7 @@ struct StressBody : SolidMaterial<Block_> {
     auto& state = *reinterpret_cast<typename Block::State*>(pack.record);
     const MeanRate<Lanes> mean{TetGather{scratch.means}.template find_mean<corners>(pack.corners),
                                Lanes(of.launch.nodes.deviator_share(chunk.c))};
+    leave_place(parameters.material, x, state);
     auto point = advance_mixed(parameters, x, v, mean, Lanes(of.motion.dt), state);
     Lanes share(1.0);
     if (lives.can_fail()) {

@@ -17,6 +17,7 @@
 #include "src/app/process/placement.hpp"
 #include "src/app/read_together.hpp"
 #include "src/app/reports/summary_report.hpp"
+#include "src/deck/laws/user_exits.hpp"
 #include "src/deck/laws/user_routines.hpp"
 #include "src/deck/units.hpp"
 #include "src/fail_together.hpp"
@@ -126,6 +127,7 @@ ExitCode run_command(Command command, const Communicator& ranks) {
   UserRun run = describe_run(command.file, out_dir, ranks);
   run.threads = ExecSpace().concurrency();
   set_user_run(run);
+  if (!command.allowed_libraries.empty()) guard_user_stacks();
   options.end_all_ranks = [&] { ranks.abort(static_cast<int>(tell(describe_failure()))); };
   options.progress = command.quiet ? Progress::Style::quiet : Progress::choose_style(stderr);
   const Placement placement = find_placement(ranks, ExecSpace().concurrency());

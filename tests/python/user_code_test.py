@@ -102,6 +102,70 @@ class UserCode(LawTest):
             self.assertGreater(np.ptp(rows["all_stress_xx"]), 1e5)
             np.testing.assert_allclose(rows["all_state_3"][1:], 1, rtol=1e-12)  # over the edge of a cube of V / V(0)
 
+    def test_places_are_those_of_the_points_as_they_move(self):
+        # A cube that is pulled to 1 + 100 t along x: its middle, or its points at 1/2 -+ 1/(2 sqrt 3), of which the record has the mean.
+        self.compile("for (int k = 0; k < 3; ++k) next[k * n + i] = places[k * n + i], next[(3 + k) * n + i] = (places[k * n + i] - 0.5) * (places[k * n + i] - 0.5);")
+        square = {"one_point": 0, "full": 1 / 12, "thick_shell": 1 / 12}
+        for points, law in ((points, user(ALIKE, ", state_variables: 6")) for points in square):
+            deck = write_cube(law, 1e-3, UNIAXIAL).replace("elements: {bulk", f"elements: {{integration: {points}, bulk")
+            rows, _ = self.run_deck(deck)
+            stretch = 1 + 100 * rows["time"][1:]
+            np.testing.assert_allclose(rows["all_state_1"][1:], 0.5 * stretch, rtol=1e-12)
+            for i in (2, 3):
+                np.testing.assert_allclose(rows[f"all_state_{i}"][1:], 0.5, rtol=1e-12)
+            np.testing.assert_allclose(rows["all_state_4"][1:], square[points] * stretch**2 + (0.5 * stretch - 0.5) ** 2, rtol=1e-12)
+            np.testing.assert_allclose(rows["all_state_5"][1:], square[points], rtol=1e-12, atol=1e-15)
+        for shape in ("tetrahedra", "wedges", "pyramids"):  # those of a cube have its middle as their mean
+            deck = write_cube(user(ALIKE, ", state_variables: 6"), 1e-3, ["{nodes: cube, velocity: {x: 100, y: 20, z: -30}}"])
+            deck = deck.replace("material: m}", f"elements: {shape}, material: m}}")
+            rows, _ = self.run_deck(deck)
+            moved = [np.ptp(rows[f"all_state_{i}"][1:]) for i in (1, 2, 3)]
+            np.testing.assert_allclose(moved, np.array([100, 20, 30]) * np.ptp(rows["time"][1:]), rtol=1e-9)
+
+    def test_places_and_spins_have_the_same_bits_over_a_restart(self):
+        self.compile("for (int k = 0; k < 3; ++k) next[k * n + i] = places[k * n + i], next[(3 + k) * n + i] += spin[k * n + i];")
+        deck = write_cube(user(ALIKE, ", state_variables: 6"), 1e-3, ["{nodes: cube/x_min, fixed: [x, y, z]}"], cells=3,
+                          more="initial: [{nodes: cube/x_max, velocity: [-100, 50, 0]}]\n")
+        self.check_bits(deck)
+
+    def test_the_spin_beyond_the_frame_is_that_of_simple_shear(self):
+        # Dienes, Acta Mechanica 32 (1979): with x = X + g Y the frame has turned by atan(g / 2) clockwise, the material by the spin g / 2.
+        self.compile("for (int k = 0; k < 3; ++k) next[k * n + i] += spin[k * n + i];")
+        motion = ["{nodes: cube, fixed: [y, z]}", "{nodes: cube/y_min, fixed: [x]}", "{nodes: cube/y_max, velocity: {x: 100}}"]
+        for axes, component in (("", 3), (", first_axis: [0, 0, 1], second_axis: [1, 0, 0]", 1)):
+            for points in ("one_point", "full"):
+                deck = write_cube(user(ALIKE, ", state_variables: 3" + axes), 1e-2, motion).replace("elements: {bulk", f"elements: {{integration: {points}, bulk")
+                rows, _ = self.run_deck(deck, "--set", "time.max_step=2e-5")
+                half = 50 * rows["time"][-1]
+                self.assertLess(abs(rows[f"all_state_{component}"][-1] - (math.atan(half) - half)), 2e-5)
+                self.assertLess(max(abs(rows[f"all_state_{i}"][-1]) for i in (1, 2, 3) if i != component), 1e-9)
+        turned = ["{nodes: cube/z_min, fixed: [x, y, z]}"]  # what turns rigidly has none
+        rows, _ = self.run_deck(write_cube(user(ALIKE, ", state_variables: 3"), 1e-4, turned))
+        self.assertEqual([rows[f"all_state_{i}"][-1] for i in (1, 2, 3)], [0.0, 0.0, 0.0])
+
+    def test_times_are_those_of_the_steps_of_the_analysis(self):
+        self.compile("next[i] = *step_time, next[n + i] = *total_time;", """
+        void vexternaldb_(const int* moment, int* i, const int* ni, double* r, const int* nr) {
+          FILE* out = fopen("told.txt", "a");
+          fprintf(out, "%d %d %.17g %.17g\\n", *moment, i[2], r[0], r[1]);
+          fclose(out);
+        }
+        """)
+        deck = write_cube(user(ALIKE, ", state_variables: 2, step_starts: [3e-4, 7e-4]"), 1e-3, UNIAXIAL)
+        rows, _ = self.run_deck(deck, "--set", "time.max_step=1.1e-5")
+        time = rows["time"][1:]
+        start = np.where(time > 7e-4, 7e-4, np.where(time > 3e-4, 3e-4, 0))
+        np.testing.assert_allclose(rows["all_state_1"][1:], time - start, rtol=1e-12)
+        np.testing.assert_allclose(rows["all_state_2"][1:], time, rtol=0, atol=0)
+        told = np.loadtxt(os.path.join(self.folder, "told.txt"))
+        ends = told[told[:, 0] == 4]
+        np.testing.assert_array_equal(ends[:, 2], time)
+        np.testing.assert_array_equal(ends[:, 1], 1 + (time > 3e-4) + (time > 7e-4))
+        np.testing.assert_allclose(ends[:, 3], time - start, rtol=1e-12)
+        for wrong in ("[7e-4, 3e-4]", "[0]"):
+            done = self.call(deck.replace("[3e-4, 7e-4]", wrong), command="check")
+            self.assertEqual((done.returncode, "step_starts" in done.stderr), (2, True), done.stderr)
+
     LENGTHS = """
     void vucharlength_(const int* n, const int* fields, const int* count, const int* components, const int* dimensions, const int* corners, const int* states,
                        const int* section, const int* layer, const int* point, const int* kind, const int* element, const double* t, const double* s, const double* dt,

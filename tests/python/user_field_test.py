@@ -189,7 +189,7 @@ class UserFields(LawTest):
         rows, _ = self.run_deck(deck, "--set", "time.max_steps=7", "--set", "time.max_step=1e-6")
         got = [round(float(rows[f"all_state_{i}"][-1]), 6) for i in range(1, 9)]
         self.assertEqual(got[0], 5.0)
-        self.assertEqual(got[1], 0.25 + 10 * 0.5 + 100 * 3.0)  # the fifth of eight cubes lies in the upper half
+        self.assertLess(abs(got[1] - (0.25 + 10 * 0.5 + 100 * 3.0)), 1e-3)  # the fifth of eight cubes lies in the upper half, and hardly moves
         self.assertEqual(got[2], 1 + 10 + 100 + 1000)
         self.assertLess(abs(got[3] - 1.0), 1e-3)
         self.assertEqual(got[4:7], [20.0, 70.0 + 2 + 2 + 3 + 3, 7.0])

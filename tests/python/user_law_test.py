@@ -234,6 +234,16 @@ class UserLaws(LawTest):
         same, _ = self.run_deck(write_cube(ours, 3e-3, motion), "--set", "time.max_step=2e-6", out="ours")
         np.testing.assert_allclose(stress[late], (same["all_stress_xx"] - same["all_stress_yy"])[late], rtol=1e-3)
 
+    def test_plastic_work_heats_a_unit_of_mass(self):
+        # Pulled along x to twice the volume, held across, perfectly plastic: J sigma dp / rho0 with dp = (2/3) dJ / J from the yield on.
+        self.compile_fortran("johnson_cook.f")
+        law = ("model: user_hardening, density: 8000, youngs_modulus: 200e9, poissons_ratio: 0.3, vuhard: law.so, state_variables: 1, "
+               "constants: [1e8, 0, 1, 0, 1, 1e9, 300, 1], start_temperature: 300, specific_heat: 400, heating_share: 1")
+        motion = ["{nodes: cube, fixed: [y, z]}", "{nodes: cube/x_min, fixed: [x]}", "{nodes: cube/x_max, velocity: {x: 100}}"]
+        rows, _ = self.run_deck(write_cube(law, 1e-2, motion))
+        right = 2 / 3 * 1e8 * (2 - math.exp(0.5 * 1e8 * 2.6 / 200e9)) / (8000 * 400)
+        self.assertLess(abs((rows["all_temperature"][-1] - 300) / right - 1), 2e-3)
+
     def test_hardening_has_the_same_bits_over_ranks_and_restarts(self):
         self.compile_fortran("johnson_cook.f")
         law = ("model: user_hardening, density: 8000, youngs_modulus: 200e9, poissons_ratio: 0.3, vuhard: law.so, state_variables: 1, "

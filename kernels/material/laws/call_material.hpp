@@ -20,6 +20,9 @@ CalledMaterial make_called_material(const Law& law, double density) {
   called.stores_energy = requires { requires Law::stores_energy; };
   called.changes_at_rest = requires { requires Law::changes_at_rest; };
   if constexpr (requires { law.count_history(); }) called.law_history = law.count_history();
+  if constexpr (requires { law.find_place(); }) {
+    if (law.find_place() >= 0) called.place = CalledMaterial::law_place + law.find_place();
+  }
   if constexpr (requires { law.made.entry; }) {
     called.stores_energy = law.made.entry->stores_energy;
     called.changes_at_rest = law.made.entry->changes_at_rest;

@@ -29,6 +29,7 @@ struct CalledMaterial {
   bool changes_at_rest = false;  // whether the state changes with time alone
   bool stores_energy = false;    // whether the stress follows from an energy of the strain
   bool is_scaled = false;        // whether mass is added to elements: then volumes follow from their own mass
+  int place = -1;                // in the history: of the point in space, which its element sets; -1: not needed
 
   PERCUSS_FORCE_INLINE LameConstants moduli() const { return reference; }
   KOKKOS_INLINE_FUNCTION int count_history() const {

@@ -9,6 +9,7 @@
 #include "kernels/material/lane_copies.hpp"
 #include "kernels/material/material_key.hpp"
 #include "kernels/material/stretch.hpp"
+#include "kernels/material/user/user_call.hpp"
 
 namespace percuss {
 
@@ -70,7 +71,7 @@ template <int W>
 struct FieldCall {
   const UserCode& code;
   const MaterialText& called;
-  double time;
+  double step_time, time;
   const double* dt;
   const double* length;
   Matrix3<double> axes;  // rows: those of the material in space at the start
@@ -105,15 +106,13 @@ struct FieldBlock {
   }
 };
 
-/// The fields of a law of a user. History: those of the step before, the place of the element at the start.
+/// The fields of a law of a user. History: those of the step before, the place of the point, which its element sets.
 struct UserFields {
   int fields = 0;  // 0: the code is not called
   MaterialNumbers field_constants;
 
-  int count_field_history() const { return fields > 0 ? fields + 3 : 0; }
-  void start_place(const double (&place)[3], double* own) const {
-    if (fields > 0) std::copy_n(place, 3, own + fields);
-  }
+  int count_field_history() const { return fields + 3; }
+  void start_place(const double (&place)[3], double* own) const { std::copy_n(place, 3, own + fields); }
 
   /// Calls the code. own: of the history; block: out, the fields before and now.
   template <class T>
@@ -127,10 +126,12 @@ struct UserFields {
     block.begin(fields);
     points.state = call.state_old;
     asked_points = &points;
-    call.code.vusdfld(&width, &points.states, &fields, &field_constants.count, &direct, &shear, call.elements, &one,
-                      &one, &one, &call.time, &call.time, call.dt, call.called.text, block.places, block.axes,
-                      block.turn, call.length, field_constants.value, call.state_old, call.state_new, block.now,
-                      MaterialText::most);
+    call_library(call.code.file, [&] {
+      call.code.vusdfld(&width, &points.states, &fields, &field_constants.count, &direct, &shear, call.elements, &one,
+                        &one, &one, &call.step_time, &call.time, call.dt, call.called.text, block.places, block.axes,
+                        block.turn, call.length, field_constants.value, call.state_old, call.state_new, block.now,
+                        MaterialText::most);
+    });
     asked_points = nullptr;
     std::copy_n(call.state_new, points.states * w, call.state_old);
     for (int i = 0; i < fields; ++i) own[i] = read_lanes<T>(block.now + i * w);

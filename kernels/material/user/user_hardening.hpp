@@ -42,7 +42,7 @@ struct VuhardBlock {
 };
 
 /// Von Mises plasticity whose yield stress is the user's code. It is solved with the strain, the rate and the
-/// temperature at the end of the step: rho cp dT = share (mean stress of the step) dp. History: p, T, the user's
+/// temperature at the end of the step: rho0 cp dT = share J (mean stress of the step) dp. History: p, T, the user's
 /// states; with fields also theirs, the stretch, the number of the element and the edge of a cube of its volume.
 struct UserHardening : UserFields {
   static constexpr const char* name = "user_hardening";
@@ -88,6 +88,7 @@ struct UserHardening : UserFields {
   const char* find_fault() const {
     if (start_states.count > states) return "more start_states than state_variables";
     if (field_constants.count > 0 && fields == 0) return "field_constants and no field_variables";
+    if (!code.has_rising_steps()) return "step_starts that are not positive or do not rise";
     if (thermal_expansion > 0 && specific_heat == 0)
       return "a thermal_expansion and no specific_heat, by which it heats";
     return melt_temperature == 0 || melt_temperature > room_temperature
@@ -102,7 +103,9 @@ struct UserHardening : UserFields {
   static constexpr bool grows_in_increments = true;
   static constexpr bool changes_at_rest = true;  // the code gets the time
   int first_field() const { return own_history + states; }
-  int find_stretch() const { return first_field() + count_field_history(); }
+  /// Where the place of the point is kept, in the history of the law; -1: nowhere.
+  int find_place() const { return fields > 0 ? first_field() + fields : -1; }
+  int find_stretch() const { return first_field() + (fields > 0 ? count_field_history() : 0); }
   int count_history() const { return find_stretch() + (fields > 0 ? StretchHistory::count + 2 : 0); }
   void start(double* history) const {
     history[1] = start_temperature;
@@ -192,8 +195,8 @@ struct UserHardening : UserFields {
       write_lanes(T(element[1] * power(step.motion.volume_ratio, 1.0 / 3.0)), length);
       write_lanes(dt, steps);
       block.begin(law.states);
-      law.find_fields({law.code, law.called, time, steps, length, identity_matrix<double>(), block.elements,
-                       block.state_old, block.state_new},
+      law.find_fields({law.code, law.called, law.code.find_step_time(time), time, steps, length,
+                       identity_matrix<double>(), block.elements, block.state_old, block.state_new},
                       points, step.history + law.first_field(), field);
       has_kept_ends = block.has_kept_ends(law.states) && field.has_kept_ends(law.fields);
       StretchHistory::store(advance_stretch(points.stretch, step.motion), stretch);
@@ -210,10 +213,14 @@ struct UserHardening : UserFields {
                                                                                                            : block.none;
       double length[w];
       write_lanes(dt, length);
-      law.code.vuhard(&points, block.elements, &first, &first, &first, &none, &time, &time, length, law.called.text,
-                      &law.states, &law.fields, &law.constants.count, law.constants.value, block.temperature_old,
-                      block.temperature_new, before, now, block.state_old, block.strain, block.rate, block.yield,
-                      block.by_temperature, block.by_strain, block.state_new, MaterialText::most);
+      const double step_time = law.code.find_step_time(time);
+      call_library(law.code.file, [&] {
+        law.code.vuhard(&points, block.elements, &first, &first, &first, &none, &step_time, &time, length,
+                        law.called.text, &law.states, &law.fields, &law.constants.count, law.constants.value,
+                        block.temperature_old, block.temperature_new, before, now, block.state_old, block.strain,
+                        block.rate, block.yield, block.by_temperature, block.by_strain, block.state_new,
+                        MaterialText::most);
+      });
       return {read_lanes<T>(block.yield), read_lanes<T>(block.by_strain), read_lanes<T>(block.by_strain + w),
               read_lanes<T>(block.by_temperature)};
     }
@@ -222,8 +229,9 @@ struct UserHardening : UserFields {
   template <class T>
   PERCUSS_NO_INLINE void return_by_code(PointStep<T>& step) const {
     const LameConstants c = moduli();
-    const double resistance = 3 * c.mu,
-                 degrees = specific_heat > 0 ? heating_share / (step.density * specific_heat) : 0;
+    const double resistance = 3 * c.mu;
+    const T degrees =
+        T(specific_heat > 0 ? heating_share / (step.density * specific_heat) : 0) * step.motion.middle_volume_ratio();
     const Symmetric3<T> start = add_pressure(step.stress, T(-1.0 / 3.0) * trace(step.stress));
     const T before = square_root(T(1.5) * contract(start, start)), temperature = step.history[1];
     const ElasticTrial<T> trial = find_trial(c, step.stress, step.motion.de);
@@ -232,14 +240,14 @@ struct UserHardening : UserFields {
     const auto yields = trial.von_mises > answer.yield;
     T dp(0), flow_stress = answer.yield;
     const auto heat = [&](const T& strain) {
-      return T(0.5 * degrees) * (before + trial.von_mises - T(resistance) * strain) * strain;
+      return T(0.5) * degrees * (before + trial.von_mises - T(resistance) * strain) * strain;
     };
     if (any(yields)) {
       const T high = select(yields, trial.von_mises * T(1 / resistance), T(1));
       dp = find_falling_root<3>(yields, high, trial.von_mises, [&](const T& strain) {
         const T stress = trial.von_mises - T(resistance) * strain;
         const Answer<T> now = asked.ask(strain, temperature + heat(strain));
-        const T hotter = T(0.5 * degrees) * (before + stress - T(resistance) * strain);
+        const T hotter = T(0.5) * degrees * (before + stress - T(resistance) * strain);
         return ValueAndSlope<T>{stress - now.yield, T(-resistance) - now.by_strain - now.by_rate / step.motion.dt -
                                                         now.by_temperature * hotter};
       });
@@ -265,6 +273,7 @@ struct UserHardening : UserFields {
     if (deletes > 0) end_deleted(remained, own[find_deletion()], step.stress);
     const bool kept = block.has_kept_ends(states) && asked.has_kept_ends;
     if (!kept) __atomic_store_n(code.has_written_outside, 1, __ATOMIC_RELAXED);
+    require_finite(own, count_history(), step.stress);
     const auto is_number = (yield > T(-1e300)) & (yield < T(1e300)) & (T(kept ? 1.0 : 0.0) > T(0));
     step.stress.xx = select(is_number, step.stress.xx, T(std::numeric_limits<double>::quiet_NaN()));
   }

@@ -50,7 +50,7 @@ struct VumatBlock {
 /// Stress from the user's code. The frame is the one that turns with the material (Green and Naghdi), by the material's
 /// axes if it has any; in it the gradient of the deformation is the stretch U. History: U in the axes of space,
 /// internal and dissipated energy by mass, the temperature if it is ever another than 0, its rise in the last step if
-/// it expands, the number of the element, its characteristic lengths, the user's states, that of the user's fields.
+/// it expands, the number of the element, its characteristic lengths, the user's states, that of UserFields.
 struct UserLaw : UserFields {
   static constexpr const char* name = "user";
   using Constants = UserLaw;
@@ -98,6 +98,7 @@ struct UserLaw : UserFields {
   const char* find_fault() const {
     if (start_states.count > states) return "more start_states than state_variables";
     if (field_constants.count > 0 && fields == 0) return "field_constants and no field_variables";
+    if (!code.has_rising_steps()) return "step_starts that are not positive or do not rise";
     if (!are_axes(first_axis, second_axis)) return "first_axis and second_axis that are zero or parallel";
     return thermal_expansion > 0 && specific_heat == 0 ? "a thermal_expansion and no specific_heat, by which it heats"
                                                        : "";
@@ -121,6 +122,8 @@ struct UserLaw : UserFields {
   int first_state() const { return find_element() + 1 + count_lengths(); }
   int count_states() const { return states; }
   int first_field() const { return first_state() + states; }
+  /// Where the place of the point is kept, in the history of the law.
+  int find_place() const { return first_field() + fields; }
   int count_history() const { return first_field() + count_field_history(); }
   void start(double* history) const {
     StretchHistory::start(history);
@@ -164,6 +167,7 @@ struct UserLaw : UserFields {
     if (!(sum_lanes(step.motion.dt) > 0)) return;  // the forces at the start: the code may divide by the step
     const Symmetric3<T> old = step.stress, de = find_mechanical_strain(step);
     call(step);
+    require_finite(step.history, count_history(), step.stress);
     set_return(old, de, step);
     set_moduli(old, de, step);
 #else
@@ -249,12 +253,13 @@ struct UserLaw : UserFields {
   void fill(const PointStep<T>& step, const Symmetric3<T>& stretch, Block& block) const {
     constexpr int w = lane_count<T>;
     const T* const own = step.history + StretchHistory::count;
-    const T half = step.motion.volume_ratio - T(0.5) * step.motion.change.growth;
-    write_lanes(T(step.density) / half, block.density);
+    write_lanes(T(step.density) / step.motion.middle_volume_ratio(), block.density);
     fill_element(step, block);
+    for (int k = 0; k < 3; ++k) write_lanes(step.history[find_place() + k], block.places + k * w);
     write_lanes(to_material(find_mechanical_strain(step)), block.strain);
     write_lanes(to_material(StretchHistory::load(step.history)), block.stretch_old);
     write_lanes(to_material(stretch), block.stretch_new);
+    fill_spin(T(0.5) * (StretchHistory::load(step.history) + stretch), step.motion.de, block);
     copy_gradient<w>(block.stretch_old, block.gradient_old);
     copy_gradient<w>(block.stretch_new, block.gradient_new);
     write_lanes(to_material(step.stress), block.stress_old);
@@ -270,6 +275,16 @@ struct UserLaw : UserFields {
     block.mark_ends(states);
   }
 
+  /// How far the material spins in the step beyond the frame (advance_stretch()), as an axial vector. u: at the middle.
+  template <class T, class Block>
+  void fill_spin(const Symmetric3<T>& u, const Symmetric3<T>& de, Block& block) const {
+    const Vector3<T> in_space = T(-1) * solve(find_turn_resistance(u), find_turn_drive(de, u));
+    const Vector3<T> spin = has_axes() ? find_axes_of<T>() * in_space : in_space;
+    write_lanes(spin.x, block.spin);
+    write_lanes(spin.y, block.spin + lane_count<T>);
+    write_lanes(spin.z, block.spin + 2 * lane_count<T>);
+  }
+
   /// By the VUSDFLD, which also changes state variables before the VUMAT gets them.
   template <class T, class Block>
   void set_fields(const PointStep<T>& step, Block& block, FieldBlock<lane_count<T>>& field) const {
@@ -278,8 +293,8 @@ struct UserLaw : UserFields {
     points.stretch = read_tensor_lanes<T>(block.stretch_old);
     points.temperature = read_lanes<T>(block.temperature);
     points.states = states;
-    find_fields({code, called, step.motion.time, block.dt, block.length, find_axes(), block.header + 4, block.state_old,
-                 block.state_new},
+    find_fields({code, called, code.find_step_time(step.motion.time), step.motion.time, block.dt, block.length,
+                 find_axes(), block.header + 4, block.state_old, block.state_new},
                 points, step.history + first_field(), field);
   }
 
@@ -292,13 +307,16 @@ struct UserLaw : UserFields {
     fill(step, stretch, block);
     if (fields > 0) set_fields(step, block, field);
     const int direct = 3, shear = 3;
-    code.vumat(block.header, &direct, &shear, &states, &fields, &constants.count, block.flags, &step.motion.time,
-               &step.motion.time, block.dt, called.text, block.places, block.length, constants.value, block.density,
-               block.strain, block.spin, block.temperature, block.stretch_old, block.gradient_old,
-               fields > 0 ? field.before : block.none, block.stress_old, block.state_old, block.energy_old,
-               block.dissipated_old, block.temperature, block.stretch_new, block.gradient_new,
-               fields > 0 ? field.now : block.none, block.stress_new, block.state_new, block.energy_new,
-               block.dissipated_new, MaterialText::most);
+    const double step_time = code.find_step_time(step.motion.time);
+    call_library(code.file, [&] {
+      code.vumat(block.header, &direct, &shear, &states, &fields, &constants.count, block.flags, &step_time,
+                 &step.motion.time, block.dt, called.text, block.places, block.length, constants.value, block.density,
+                 block.strain, block.spin, block.temperature, block.stretch_old, block.gradient_old,
+                 fields > 0 ? field.before : block.none, block.stress_old, block.state_old, block.energy_old,
+                 block.dissipated_old, block.temperature, block.stretch_new, block.gradient_new,
+                 fields > 0 ? field.now : block.none, block.stress_new, block.state_new, block.energy_new,
+                 block.dissipated_new, MaterialText::most);
+    });
     T* const own = step.history + StretchHistory::count;
     StretchHistory::store(stretch, step.history);
     step.stress = to_space(read_tensor_lanes<T>(block.stress_new));

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "kernels/material/user/library_law.hpp"
+#include "kernels/material/user/user_call.hpp"
 #include "src/deck/laws/make_law.hpp"
 #include "src/deck/laws/user_code.hpp"
 #include "src/deck/range.hpp"
@@ -152,9 +153,10 @@ MadeLaw make_law_of_library(const LawDeck& law, const std::string& file) {
   const LawLibrary& library = find_library(file, loaded.handle);
   const std::vector<LawValue> values = read_values(law, file, library);
   void* const place = ::operator new (library.size, std::align_val_t{library.alignment});
-  if (const char* const fault = library.make(values.data(), place))
-    throw InputError(fmt::format("{}: error: the constants of this law have {}", file, fault));
-  return all[key] = MadeLaw{&library, place, loaded.has_written_outside};
+  const char* fault = nullptr;
+  call_library(loaded.file, [&] { fault = library.make(values.data(), place); });
+  if (fault != nullptr) throw InputError(fmt::format("{}: error: the constants of this law have {}", file, fault));
+  return all[key] = MadeLaw{&library, place, loaded.has_written_outside, loaded.file};
 }
 
 }  // namespace percuss

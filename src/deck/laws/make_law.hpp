@@ -74,6 +74,7 @@ void set_user_constant(const LawDeck& law, const MaterialKey<C>& key, C& constan
   if (key.code != nullptr) {
     constants.*key.code = load_user_code(law.texts.at(key.name), key.name);
     (constants.*key.code).density = law.numbers.at("density");
+    if (law.lists.count("step_starts") == 1) set_step_starts(law.lists.at("step_starts"), constants.*key.code);
   }
   if (key.list != nullptr && law.lists.count(key.name) == 1) constants.*key.list = make_numbers(law.lists.at(key.name));
   if (key.word != nullptr)

@@ -7,7 +7,11 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <set>
 
+#include "kernels/material/user/user_call.hpp"
+#include "src/deck/laws/library_file.hpp"
+#include "src/deck/laws/user_exits.hpp"
 #include "src/error.hpp"
 
 namespace percuss {
@@ -19,6 +23,8 @@ namespace fs = std::filesystem;
 struct Library {
   void* handle = nullptr;
   int has_written_outside = 0;
+
+  LoadedLibrary describe(const std::string& file) { return {handle, &has_written_outside, file.c_str()}; }
 };
 
 /// What was loaded, by the path as decks name it.
@@ -26,6 +32,7 @@ struct LoadedCode {
   std::mutex busy;
   std::vector<std::string> permitted;
   std::map<std::string, Library> libraries;
+  std::set<std::vector<double>> step_starts;
 };
 
 LoadedCode& all_code() {
@@ -68,12 +75,15 @@ LoadedLibrary load_library(const std::string& file) {
   LoadedCode& code = all_code();
   const std::scoped_lock lock(code.busy);
   if (const auto known = code.libraries.find(file); known != code.libraries.end())
-    return {known->second.handle, &known->second.has_written_outside};
-  void* const handle = ::dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
+    return known->second.describe(known->first);
+  if (const std::string fault = find_library_fault(file); !fault.empty())
+    refuse_library(file, fault, "compile or copy it once more");
+  watch_user_exits();
+  void* handle = nullptr;
+  call_library(file.c_str(), [&] { handle = ::dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL); });
   if (handle == nullptr) refuse_library(file, ::dlerror(), "compile it for this machine (docs/user_laws.md)");
-  Library& library = code.libraries[file];
-  library.handle = handle;
-  return {handle, &library.has_written_outside};
+  const auto made = code.libraries.emplace(file, Library{handle}).first;
+  return made->second.describe(made->first);
 }
 
 void* find_user_entry(const std::string& file, const std::string& subroutine) {
@@ -89,13 +99,23 @@ UserCode load_user_code(const std::string& file, const std::string& subroutine) 
     refuse_library(file, fmt::format("it has no entry {}_", subroutine),
                    fmt::format("name its subroutine {}", to_capitals(subroutine)));
   UserCode code;
-  code.has_written_outside = load_library(file).has_written_outside;
+  const LoadedLibrary library = load_library(file);
+  code.has_written_outside = library.has_written_outside;
+  code.file = library.file;
   if (subroutine == "vuhard")
     code.vuhard = reinterpret_cast<VuhardFunction>(entry);
   else
     code.vumat = reinterpret_cast<VumatFunction>(entry);
   code.vusdfld = reinterpret_cast<VusdfldFunction>(find_user_entry(file, "vusdfld"));
   return code;
+}
+
+void set_step_starts(const std::vector<double>& starts, UserCode& code) {
+  LoadedCode& all = all_code();
+  const std::scoped_lock lock(all.busy);
+  const std::vector<double>& kept = *all.step_starts.insert(starts).first;
+  code.step_starts = kept.data();
+  code.step_count = static_cast<int>(kept.size());
 }
 
 bool has_written_outside(const std::string& file) {

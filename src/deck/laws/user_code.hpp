@@ -19,6 +19,7 @@ bool is_user_code_permitted(const std::string& file);
 struct LoadedLibrary {
   void* handle = nullptr;
   int* has_written_outside = nullptr;
+  const char* file = "";  // as decks name it
 };
 
 /// Loads a library once; it stays. Throws InputError if it is not permitted or cannot be loaded.
@@ -32,6 +33,9 @@ void* find_user_entry(const std::string& file, const std::string& subroutine);
 
 /// A subroutine of a library, "vumat" or "vuhard". Throws InputError as load_library() does, and if there is none.
 UserCode load_user_code(const std::string& file, const std::string& subroutine);
+
+/// Gives the code times at which steps of its analysis begin, which stay.
+void set_step_starts(const std::vector<double>& starts, UserCode& code);
 
 /// Whether a law of this library was found to write outside its arrays.
 bool has_written_outside(const std::string& file);

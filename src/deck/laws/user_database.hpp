@@ -41,6 +41,7 @@ class UserDatabases {
   struct Entry {
     std::string file;
     void* place;
+    std::vector<double> step_starts;
   };
   std::vector<Entry> all_;
 };

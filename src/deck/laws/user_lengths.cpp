@@ -8,6 +8,7 @@
 #include <string>
 
 #include "kernels/material/material_axes.hpp"
+#include "kernels/material/user/user_call.hpp"
 #include "src/deck/laws/make_law.hpp"
 #include "src/deck/laws/material_properties.hpp"
 #include "src/deck/laws/user_code.hpp"
@@ -113,9 +114,12 @@ std::vector<double> find_user_lengths(const LawDeck& law, const UserShape& shape
   const auto text = law.texts.find("vumat_name");
   const MaterialText name = make_word(text == law.texts.end() ? "" : text->second);
   const CornerPlaces places = list_places(shape);
-  entry(&one, &none, &constant_count, &components, &dimensions, &corners, &state_count, &one, &one, &one, kind,
-        &element, &zero, &zero, &zero, name.text, places.middle, places.corner.data(), list_axes(law).data(), turn,
-        constants.data(), &zero, states.data(), lengths.data(), MaterialText::most);
+  const std::array<double, 9> axes = list_axes(law);
+  call_library(file.c_str(), [&] {
+    entry(&one, &none, &constant_count, &components, &dimensions, &corners, &state_count, &one, &one, &one, kind,
+          &element, &zero, &zero, &zero, name.text, places.middle, places.corner.data(), axes.data(), turn,
+          constants.data(), &zero, states.data(), lengths.data(), MaterialText::most);
+  });
   for (const double length : lengths) {
     if (std::isfinite(length)) continue;
     throw InputError(

@@ -7,17 +7,16 @@
 #include <array>
 #include <atomic>
 #include <cctype>
-#include <chrono>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 #include "kernels/material/user/user_fields.hpp"
+#include "src/deck/laws/user_exits.hpp"
 
 namespace percuss {
 namespace {
@@ -40,17 +39,7 @@ std::string name_library(const void* place) {
   return is_known ? std::filesystem::path(found.dli_fname).filename().string() : "a library";
 }
 
-/// Ends all ranks with one message of the first thread that comes here.
-[[noreturn]] void end_run(const std::string& library, const char* how) {
-  static std::atomic<bool> has_ended = false;
-  while (has_ended.exchange(true)) std::this_thread::sleep_for(std::chrono::seconds(1));
-  const std::string text = fmt::format(
-      "error: the code of {} has ended the run ({}): its messages above, or its own files, say why\n", library, how);
-  std::fputs(text.c_str(), stderr);
-  std::fflush(nullptr);
-  if (const auto& end = context().run.end) end();
-  std::_Exit(3);
-}
+[[noreturn]] void end_run(const std::string& library, const char* how) { end_by_user_code(library.c_str(), how); }
 
 /// The next value of a message.
 struct MessageValues {
@@ -127,7 +116,10 @@ void issue(const std::string& library, int kind, const std::string& form, const 
 
 }  // namespace
 
-void set_user_run(UserRun run) { context().run = std::move(run); }
+void set_user_run(UserRun run) {
+  set_end_of_ranks(run.end);
+  context().run = std::move(run);
+}
 
 std::string read_fortran(const char* text, std::size_t length) {
   while (length > 0 && (text[length - 1] == ' ' || text[length - 1] == '\0')) --length;

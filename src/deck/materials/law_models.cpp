@@ -228,16 +228,21 @@ typename Law::Constants find_constants_without_code(const LawDeck& law) {
   return constants;
 }
 
-/// What code of a user gets by other ways than its arguments in a step.
+/// Numbers that code of a user gets by other ways than its arguments in a step.
+Key<LawDeck> make_list_key(const char* name) {
+  return make_key<LawDeck>(
+      name, false, MaterialNumbersValue{},
+      [name](const MaterialNumbersValue& value, const Reader& reader, const std::string& full, const Node& node,
+             LawDeck& law) { return value.read(reader, full, node, law.lists[name]); });
+}
+
+/// What the code of a VUMAT gets besides.
 void add_keys_of_code(Keys<LawDeck>& keys) {
   keys.push_back(
       make_key<LawDeck>("parameter_tables", false, FileValue{},
                         [](const FileValue& value, const Reader& reader, const std::string& full, const Node& node,
                            LawDeck& law) { return value.read(reader, full, node, law.texts["parameter_tables"]); }));
-  keys.push_back(make_key<LawDeck>(
-      "length_constants", false, MaterialNumbersValue{},
-      [](const MaterialNumbersValue& value, const Reader& reader, const std::string& full, const Node& node,
-         LawDeck& law) { return value.read(reader, full, node, law.lists["length_constants"]); }));
+  keys.push_back(make_list_key("length_constants"));
 }
 
 template <class Law>
@@ -262,6 +267,7 @@ LawModel make_model() {
     return std::string();
   };
   for (const auto& key : Law::keys()) model.keys.push_back(make_law_key(forget_law(key)));
+  if constexpr (std::is_base_of_v<UserFields, Law>) model.keys.push_back(make_list_key("step_starts"));
   if constexpr (std::is_same_v<Law, UserLaw>) add_keys_of_code(model.keys);
   return model;
 }

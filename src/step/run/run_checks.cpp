@@ -80,6 +80,18 @@ std::string describe_failed_element(const CheckedRun& run) {
   });
 }
 
+/// " has a state variable 3 that is nan", of an element of this rank with a law of a user; empty: all are finite.
+std::string describe_wrong_state(const CheckedRun& run, int element) {
+  const std::vector<int> one{element};
+  const ElementBlock& block = run.chunked.mesh.block_of(static_cast<std::size_t>(element));
+  const int count = count_state_variables(run.deck.materials[static_cast<std::size_t>(block.material)]);
+  for (int i = 0; i < count; ++i) {
+    const double value = find_state_variables(run.model, run.state, i, one).front();
+    if (!std::isfinite(value)) return fmt::format(" has a state variable {} that is {}", i + 1, value);
+  }
+  return "";
+}
+
 /// The first element of a chunk whose stress is not finite, or its first one.
 std::string describe_broken_chunk(const CheckedRun& run) {
   const auto chunk = static_cast<std::size_t>(run.state.bound.broken_chunk);
@@ -89,7 +101,9 @@ std::string describe_broken_chunk(const CheckedRun& run) {
     for (int e = first; e < first + count; ++e) {
       const std::vector<int> one{e};
       for (const double stress : find_stresses(run.model, run.state, one)) {
-        if (!std::isfinite(stress)) return name_with_place(run, e) + " has a stress that is not finite";
+        if (std::isfinite(stress)) continue;
+        const std::string state = describe_wrong_state(run, e);
+        return name_with_place(run, e) + (state.empty() ? " has a stress that is not finite" : state);
       }
     }
     return "the work of the elements from " + name_with_place(run, first) + " on is not finite";

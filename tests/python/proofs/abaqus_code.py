@@ -3,7 +3,7 @@
 import math
 
 from . import LAST, Proof
-from .abaqus_materials import BULK, ELASTIC, HEATED, SHEAR, driven, plastic_work, strain, stretched, time_of
+from .abaqus_materials import BULK, ELASTIC, END, HEATED, SHEAR, driven, plastic_work, strain, stretched, time_of
 from .pieces import DENSITY
 
 # PROPS: yield stress, its slope over the plastic strain, the temperature at which it is 0 (0: never), the strain that deletes.
@@ -142,9 +142,12 @@ PLANE = BULK + 4 / 3 * SHEAR
 ALONG_Y = "*ORIENTATION, NAME=o\n0., 1., 0., -1., 0., 0.\n"
 OWN = "*CHARACTERISTIC LENGTH, DEFINITION=USER, COMPONENTS=3, PROPERTIES=1\n0.3,\n"
 FIELD = "*USER DEFINED FIELD, PROPERTIES=2\n7., 0.4\n"
+AGAIN = f"*STEP\n*DYNAMIC, EXPLICIT\n, {END!r}\n*END STEP\n"
 AT_START = "*INITIAL CONDITIONS, TYPE=FIELD, VARIABLE=3\nall, 0.\n"
 
 PROOFS = [
+    Proof("USER MATERIAL: CONSTANTS", driven(LAW, 1e-4, 0.0, 0.0) + AGAIN, energy(6 * PLANE), "moduli are threefold where stepTime has begun anew",
+          code=elastic_code("if (*step_time < *total_time) factor = 3;")),
     Proof("USER DEFINED FIELD: PROPERTIES", driven(LAW + FIELD, 1e-4, 0.0, 0.0), energy(0.4 * PLANE), "the field is 0.4, which scales the moduli", code=FIELDS),
     Proof("INITIAL CONDITIONS: TYPE VARIABLE", driven(LAW + FIELD, 1e-4, 0.0, 0.0, before=AT_START), energy(0.4 * PLANE), "the third of three fields", code=FIELDS),
     Proof("INITIAL CONDITIONS: TYPE", driven(LAW + FIELD, 1e-4, 0.0, 0.0, before=AT_START.replace("0.", "1.")), refused="a field at the start other than 0", code=FIELDS),

@@ -106,6 +106,8 @@ def add_arrays(deck: AbaqusDeck, name: str, law: Deck, user: Block, states: Bloc
         return False
     if constants:
         law["constants"] = constants
+    if len(deck.steps) > 1:
+        law["step_starts"] = [step.start for step in deck.steps[1:]]
     if count:
         law["state_variables"] = count
     if states is not None and states.option("DELETE"):

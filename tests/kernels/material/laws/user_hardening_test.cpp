@@ -82,13 +82,15 @@ TEST(UserHardening, EndsEachStepOnItsYieldSurface) {
     const double dt = leg.time / leg.steps;
     for (int i = 0; i < leg.steps; ++i) {
       const double p = point.p(), temperature = point.history[2], before = von_mises(point.stress);
+      const double volume = point.last_volume;
       point.advance(scale(dt, leg.rate), dt);
       const double dp = point.p() - p;
       if (dp == 0) continue;
       const double now = von_mises(point.stress);
       const double at_rest = yield + growth * (1 - std::exp(-saturation * point.p()));
       EXPECT_NEAR(now, at_rest * (1 + over_rate * dp / dt) * (1 - softening * point.history[2]), 1e-9 * now);
-      const double heat = law.heating_share * 0.5 * (before + now) * dp / (sample_density * law.specific_heat);
+      const double middle = 0.5 * (volume + point.last_volume);  // V / V(0), by which the work of a unit of mass grows
+      const double heat = law.heating_share * middle * 0.5 * (before + now) * dp / (sample_density * law.specific_heat);
       EXPECT_NEAR(point.history[2] - temperature, heat, 1e-9 * heat);
       hottest = point.history[2];
     }
