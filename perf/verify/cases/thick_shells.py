@@ -76,8 +76,8 @@ silence: [single_layer]
 def thick_yield(bench):
     """A strip of thick shells, 1 mm thick and in plane strain, is bent to eight times the curvature at yield by its end, which turns as a whole. Steel without
     hardening (yield stress s) then bears s t^2 / (2 sqrt(3)) by its width. The Gauss rule of three points across sees 0.861 of it,
-    of five 0.945. Two layers of elements have it whole, but for the elastic core: 0.995. The
-    tolerance is 1 %, with two layers 2 %."""
+    of five 0.945. Two layers of elements have it whole, but for the elastic core: 0.995. This bending is even; at a clamp layers carry more
+    ([limits.md](../limits.md)). The tolerance is 1 %, with two layers 2 %."""
     young, nu, stress, length = 200e3, 0.3, 300.0, 10.0
     limit = stress / (2 * np.sqrt(3))
     at_yield = 2 * stress * (1 - nu**2) / (young * np.sqrt(1 - nu + nu**2))
