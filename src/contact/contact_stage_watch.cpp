@@ -21,7 +21,7 @@ std::optional<KnownContact> ContactStage::Impl::find_known() const {
   std::int64_t count = static_cast<std::int64_t>(known.inside.size());
   all_reduce(ranks, Reduce::sum, count);
   if (overlap_at_start > 0 && count == 0) return std::nullopt;
-  known.holds_deep = share.has_springs || overlap_at_start > 0;
+  known.holds_deep = share.springs == SpringRows::all || overlap_at_start > 0;
   std::sort(known.inside.begin(), known.inside.end());
   for (const ElementBlock& block : mesh.elements.blocks)
     if (block.section.thickness > 0) known.of_shells[static_cast<std::size_t>(block.part)] = 1;

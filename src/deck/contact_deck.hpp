@@ -110,10 +110,10 @@ struct ContactDeck {
   std::vector<PairFrictionDeck> frictions;  // the first that fits is instead of `friction`
   Overlap overlap = Overlap::accept;        // what happens to overlap found at the start
   /// How impulses are found: by the iterated penalty force to a share of the predicted penetration, all rows as one
-  /// system with complementarity, or by springs on the penetration.
-  enum class Enforcement { kinematic, lagrange, penalty };
-  Enforcement enforcement = Enforcement::kinematic;
-  double tolerance = 1e-3;            // kinematic: of what is left, as a share of the largest predicted penetration
+  /// system with complementarity, by springs on the penetration, or as kinematic with springs between sheets.
+  enum class Enforcement { kinematic, lagrange, penalty, automatic };
+  Enforcement enforcement = Enforcement::automatic;
+  double tolerance = 1e-3;            // of what the iteration leaves, a share of the largest predicted penetration
   double penalty_scale = 0.5;         // penalty: of the stiffness
   std::optional<double> restitution;  // of rigid bodies on rigid ones and on walls; none: find_restitution()
   bool reuse_search = true;  // keep candidate pairs while a guaranteed bound allows it, leave out what is at rest
@@ -126,6 +126,8 @@ struct ContactDeck {
   enum class Rebalance { automatic, always, never };
   Rebalance rebalance = Rebalance::automatic;
 
+  /// Whether rows that no spring pushes are iterated.
+  bool is_iterated() const { return enforcement == Enforcement::kinematic || enforcement == Enforcement::automatic; }
   /// Parting over approach of rigid bodies.
   double find_restitution() const { return restitution.value_or(enforcement == Enforcement::penalty ? 1 : 0); }
   bool ties_rotations() const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernels/core/host_copy.hpp"
+#include "src/deck/contact/contact_springs.hpp"
 #include "src/step/phases.hpp"
 
 namespace percuss {
@@ -128,8 +129,7 @@ void Stepper::archive(CheckpointArchive& archive) {
   archive.integer("contact/report/iterations", report_.iterations);
   archive.number_or_infinity("contact/report/residual", report_.residual);
   archive.integer("contact/report/converged", report_.converged);
-  if (deck_.contact.enforcement == ContactDeck::Enforcement::penalty)
-    archive.number("contact/report/stored", report_.stored);
+  if (may_have_contact_springs(deck_)) archive.number("contact/report/stored", report_.stored);
   if (deck_.contact.enforcement == ContactDeck::Enforcement::lagrange)
     archive.number_or_infinity("contact/report/complementarity", report_.complementarity);
   if (deck_.contact.has_failing_ties()) archive.number("contact/report/failed_ties", report_.failed_ties);

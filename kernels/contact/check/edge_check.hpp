@@ -137,18 +137,18 @@ KOKKOS_INLINE_FUNCTION double orient(const Wedge& a, const Wedge& b, const Point
 
 /// How much deeper a new pair may be, share of h: beams slide from one to the next while springs give way.
 KOKKOS_INLINE_FUNCTION double find_beam_cushion(const EdgeSurface& surface, int a, int b) {
-  return surface.has_springs && (is_beam(surface, a) || is_beam(surface, b)) ? contact_limits::spring_cushion : 0;
+  return gives_way(surface, a, b) && (is_beam(surface, a) || is_beam(surface, b)) ? contact_limits::spring_cushion : 0;
 }
 
 /// The depth, share of h, from which on a pair has crossed for certain, whatever springs of nodes and faces give way.
-KOKKOS_INLINE_FUNCTION double find_crossed_depth(const EdgeSurface& surface) {
-  return contact_limits::crossed_depth + (surface.has_springs ? contact_limits::spring_cushion : 0);
+KOKKOS_INLINE_FUNCTION double find_crossed_depth(const EdgeSurface& surface, int a, int b) {
+  return contact_limits::crossed_depth + (gives_way(surface, a, b) ? contact_limits::spring_cushion : 0);
 }
 
 /// How far a new pair has crossed before it touches, or overlaps at the start, share of h: 0 without a blunt edge. With
 /// one, springs of nodes and faces that give way hold their bodies without it.
 KOKKOS_INLINE_FUNCTION double find_least_depth(const EdgeSurface& surface, int a, int b) {
-  return is_blunt_pair(surface, a, b) ? find_crossed_depth(surface) : 0;
+  return is_blunt_pair(surface, a, b) ? find_crossed_depth(surface, a, b) : 0;
 }
 
 /// How far the ridge across a warped face lies before the fan of the face at the predicted place: the diagonal through
@@ -322,7 +322,7 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const CheckedEdges& edges, const Mov
       known ? contact_limits::history_depth * h + offset + dip : contact_limits::new_depth * h + cushion;
   const bool may_have_come = !known && reach <= contact_limits::reach_through;
   if (touch.gap_start < -deepest && !(may_have_come && has_just_crossed(pair, touch, deepest, crossed))) return false;
-  const double band = find_end_band(!(offset > 0) && touch.gap_start < -find_crossed_depth(surface) * h);
+  const double band = find_end_band(!(offset > 0) && touch.gap_start < -find_crossed_depth(surface, a, b) * h);
   return find_place({pair, start, end, offset, dip, band, known, dot(along_cross, end.normal) < 0}, touch);
 }
 

@@ -9,11 +9,12 @@ PredictedGaps find_predicted_gaps(const Space& space, const RowSystem& system, R
     const ContactRow& row = rows(r);
     if (is_tie(row)) {
       const double way = max_component({row.gap, row.slide[0], row.slide[1]});
-      s.merge({0, way, row.size, 1, 0});
+      s.merge({0, way, row.size, 1, 0, 0});
       return;
     }
     const double missing = row.spring > 0 ? 0 : row.target - row.gap;
-    s.merge({missing > 0 ? missing : 0, 0, row.size, 1, row.is_rigid ? 1 : 0});
+    const bool is_spring = row.has_spring && !row.is_rigid;
+    s.merge({missing > 0 ? missing : 0, 0, row.size, 1, row.is_rigid ? 1 : 0, is_spring ? 1 : 0});
   });
 }
 

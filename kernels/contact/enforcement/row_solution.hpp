@@ -77,13 +77,13 @@ void build_rows(const Space& space, const RowInputs& inputs, const RowSources& s
 /// What an enforcement reads besides the rows; each reads what it needs.
 struct SolveQuery {
   double dt = 0;                             // step
-  double dt_mean = 0;                        // from the middle of the last step to that of this one; penalty
+  double dt_mean = 0;                        // from the middle of the last step to that of this one; springs
   double tolerance = 0;                      // share of the largest predicted penetration that is left over; kinematic
-  double penalty_scale = 0;                  // of the stiffness; penalty
+  double spring_scale = 0;                   // of the stiffness of springs
   Array<const std::int64_t> node_numbers{};  // [mesh nodes]; lagrange
 };
 
-/// The same of every enforcement: solve_kinematic(), solve_lagrange() and solve_penalty() take the same arguments and
+/// The same of every enforcement: solve_kinematic(), solve_lagrange() and solve_springs() take the same arguments and
 /// leave impulses in the rows and their dv in RowSystem::correction.
 struct SolveReport {
   std::int64_t rows = 0;  // on all ranks; 0: nothing was done here
@@ -211,23 +211,23 @@ void follow_impulses(const Space& space, RowSystem& system, Others& others) {
   space.fence();
 }
 
-/// The impulses of springs (contact.enforcement: penalty), and of stops where a spring gives way too far. Rigid bodies
-/// among themselves have no waves that a spring could stand for: their rows are iterated, with the pushes of all
-/// springs.
+/// The impulses of springs, and of stops where a spring gives way too far (contact.enforcement: penalty, automatic).
+/// Rows that none pushes, as those of rigid bodies among themselves, are iterated with the pushes of all springs.
 template <class Space, class Others>
-SolveReport solve_penalty(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
+SolveReport solve_springs(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
                           Others& others) {
   constexpr int max_passes = 20;
   constexpr double settled = 1e-9;  // of the smallest h
   if (!others.takes_part(system)) return {};
   const SpringTimes times{query.dt, query.dt_mean};
   PassSums sums;
-  sums.change = push_springs(space, query.penalty_scale, times, system);
+  sums.change = push_springs(space, query.spring_scale, times, system);
   sums.gaps = find_predicted_gaps(space, system, memory);
   share_impulses(space, system);
   others.swap_shares(space, system, sums);
-  follow_impulses(space, system, others);
   const PredictedGaps gaps = sums.gaps;  // of all ranks, as are the changes
+  if (gaps.springs == 0) return iterate_rows(space, query, system, memory, others);
+  follow_impulses(space, system, others);
   int passes = 0;
   for (; passes < max_passes && sums.change > (passes > 0 ? settled * gaps.smallest_size : 0); ++passes) {
     sums = {};
@@ -237,7 +237,7 @@ SolveReport solve_penalty(const Space& space, const SolveQuery& query, RowSystem
     follow_impulses(space, system, others);
   }
   SolveReport report{gaps.rows, 0, true, 0};
-  if (gaps.rigid > 0) report = iterate_rows(space, query, system, memory, others);
+  if (gaps.springs < gaps.rows) report = iterate_rows(space, query, system, memory, others);
   report.iterations += 1 + passes;
   book_springs(space, times, system);
   space.fence();

@@ -286,7 +286,7 @@ double push_springs(const Space& space, double scale, const SpringTimes& times, 
       "contact::push_springs", RangeOf<Space>(space, 0, system.num_rows),
       KOKKOS_LAMBDA(int r, double& most) {
         ContactRow& row = rows(r);
-        if (row.is_rigid) return;
+        if (!row.has_spring || row.is_rigid) return;
         row.spring = row.is_held ? 0 : scale * find_spring(row, at.spring);
         if (!(row.spring > 0)) set_push(row, RowImpulse{});
         const double here = row.spring > 0 ? start_row(row, at, times) : 0;

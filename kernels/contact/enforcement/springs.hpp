@@ -1,5 +1,5 @@
 #pragma once
-// Penalty enforcement: the impulse of a row is that of a spring on the penetration at n (contact.enforcement: penalty).
+// Rows that springs push: the impulse is that of a spring on the penetration at n (ContactRow::has_spring).
 //
 // Node by node a stiffness s of the material in front of its faces, a quarter of M A^2 / V of each (M = lambda + 2 mu,
 // A face, V element; after Hallquist, Goudreau and Benson, Comput. Methods Appl. Mech. Eng. 51, 1985, who take the bulk
@@ -28,7 +28,7 @@ struct SpringTimes {
   KOKKOS_INLINE_FUNCTION double before() const { return 2 * dt_mean - dt; }  // the last step
 };
 
-/// Impulses of all rows. scale: of the stiffness.
+/// Impulses of the rows that springs push. scale: of the stiffness.
 /// Returns by how much the most unsettled row would leave its cushion, or its spring is not pressed throughout
 /// [length], 0: none.
 template <class Space>

@@ -52,6 +52,7 @@ struct ContactRow {
   int pair = 0;                     // of surfaces, as work is booked; walls are the last
   bool is_held = false;             // nothing moves its nodes
   bool is_rigid = false;            // between rigid bodies, or of one with a wall, where mark_rigid_rows() found them
+  bool has_spring = false;          // a spring pushes it, where nodes are free (SpringRows); others are iterated
   double held_apart = 0;            // tie: way to its place in directions in which nothing moves its nodes [length]
   double spring = 0;                // stiffness of a penalty row [force/length], 0: none
   double held = 0;                  // penalty: energy that the sides have given the spring; 0: not known

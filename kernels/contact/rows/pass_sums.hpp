@@ -50,7 +50,8 @@ struct PredictedGaps {
   double farthest_tied = 0;  // largest distance of a tied node from its place, by component [length]
   double smallest_size = 0;  // smallest h of a row, 0: no rows
   std::int64_t rows = 0;
-  std::int64_t rigid = 0;  // ContactRow::is_rigid among them
+  std::int64_t rigid = 0;    // ContactRow::is_rigid among them
+  std::int64_t springs = 0;  // rows that springs push, or would push if their nodes were free
 
   KOKKOS_INLINE_FUNCTION void merge(const PredictedGaps& other) {
     deepest = other.deepest > deepest ? other.deepest : deepest;
@@ -58,6 +59,7 @@ struct PredictedGaps {
     if (other.rows > 0 && (rows == 0 || other.smallest_size < smallest_size)) smallest_size = other.smallest_size;
     rows += other.rows;
     rigid += other.rigid;
+    springs += other.springs;
   }
 };
 

@@ -15,6 +15,7 @@ struct alignas(64) TouchPack {
   double weight[bearing][lanes];  // of the corners, <= 0; that of the node is 1
   double normal[3][lanes], gap_start[lanes], gap_end[lanes], size[lanes], friction[lanes];
   double thickness[lanes];  // 1 where it is between the two sides, else 0
+  double spring[lanes];     // 1: ContactRow::has_spring, else 0
   double continues[lanes];  // 1: a record, which follows; 0: none
   double impulse[3][lanes], slip[3][lanes], reference[lanes], held[lanes], to_push[lanes];  // LastContact
   int place[row_nodes][lanes];
@@ -22,8 +23,10 @@ struct alignas(64) TouchPack {
   int count = 0;
   int has_friction = 0;  // whether any does
 
-  KOKKOS_INLINE_FUNCTION void add(const RowTouch& touch, int r, const int* places, const LastContact& record) {
+  KOKKOS_INLINE_FUNCTION void add(const RowTouch& touch, int r, const int* places, const LastContact& record,
+                                  bool has_spring) {
     const int lane = count++;
+    spring[lane] = has_spring ? 1 : 0;
     for (int i = 0; i < bearing; ++i) weight[i][lane] = touch.weight[i + 1];
     gap_start[lane] = touch.gap_start;
     gap_end[lane] = touch.gap_end;
@@ -48,10 +51,14 @@ struct alignas(64) TouchPack {
       for (auto& values : weight) values[lane] = values[0];
       for (auto* values : {normal, impulse, slip})
         for (int axis = 0; axis < 3; ++axis) values[axis][lane] = values[axis][0];
-      for (auto* values : {gap_start, gap_end, size, friction, thickness, continues, reference})
+      for (auto* values : {gap_start, gap_end, size, friction, thickness, spring, continues, reference})
         values[lane] = values[0];
       for (auto& values : place) values[lane] = values[0];
     }
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION Packed choose_by_spring(double of_springs, double of_others) const {
+    return select(load_pack(spring) > Packed(0), Packed(of_springs), Packed(of_others));
   }
 
  private:
@@ -166,7 +173,8 @@ KOKKOS_FORCEINLINE_FUNCTION void set_friction(const TouchPack& touch, const Side
   const auto goes_on = load_pack(touch.continues) > zero;
   set_tangents(row);
   const PackedPoint v = select_point(load_pack(touch.thickness) > zero, velocity.work, velocity.relative);
-  const PackedPoint owed = shorten_lanes(load_point(touch.slip), Packed(inputs.longest_slip) * load_pack(touch.size));
+  const Packed longest = touch.choose_by_spring(longest_slip_of_springs, longest_slip) * load_pack(touch.size);
+  const PackedPoint owed = shorten_lanes(load_point(touch.slip), longest);
   for (int d = 0; d < 2; ++d) {
     row.tangent[d] = select_point(has_friction, row.tangent[d], no_points());
     const Packed slide = Packed(inputs.motion.dt) * dot(v, row.tangent[d]);
@@ -238,7 +246,7 @@ KOKKOS_FORCEINLINE_FUNCTION FilledRows fill_face_rows(const TouchPack& touch, co
   const Packed dt(inputs.motion.dt), gap_end = load_pack(touch.gap_end);
   const filling::SideVelocities velocity(touch, row, at.v), checked(touch, row, at.v_checked);
   const PackedPoint predicted = dt * velocity.work, checked_way = dt * checked.work, normal = load_point(touch.normal);
-  const Packed least = Packed(find_least_slide(has_springs(inputs))) * load_pack(touch.size);
+  const Packed least = touch.choose_by_spring(least_slide_of_springs, least_slide) * load_pack(touch.size);
   const PackedPoint gradient = filling::find_gradient(normal, checked_way, gap_end - load_pack(touch.gap_start), least);
   row.normal = select_point(load_pack(touch.continues) > Packed(0), gradient, normal);
   row.gap = gap_end + dot(row.normal, predicted - checked_way);
@@ -299,8 +307,11 @@ PERCUSS_FLATTEN KOKKOS_FUNCTION inline void make_face_rows(const TouchPack& pack
     row = ContactRow{};
     take_touch(touches(pack.row[lane]), row);
     for (int slot = 0; slot < row_nodes; ++slot) row.place[slot] = pack.place[slot][lane];
+    for (int i = 0; i < TouchPack::bearing; ++i) row.weight[i + 1] = pack.weight[i][lane];
+    row.gap_start = pack.gap_start[lane];
     row.depth_tolerance = inputs.depth_tolerance;
     row.held = pack.held[lane];
+    row.has_spring = pack.spring[lane] > 0;
     filled.store(lane, row);
     row.to_push = find_to_push(pack.to_push[lane], row.reference);
   }

@@ -1,6 +1,7 @@
 #pragma once
 // From a touch to a row: geometry at x_n, the gap that is wanted, the first guess from the last step.
 
+#include "kernels/contact/geometry/face_geometry.hpp"
 #include "kernels/contact/rows/row_system.hpp"
 
 namespace percuss {
@@ -22,12 +23,15 @@ KOKKOS_INLINE_FUNCTION void hold_row(ContactRow& row) {
 
 /// D of the directions; free: D of the push if no direction of its nodes were held. A row whose nodes are all held
 /// cannot be moved and asks for nothing. Nor does one whose nodes are free only across the push, but for round-off of
-/// its direction: to close a gap they would have to move beyond all bounds.
-KOKKOS_INLINE_FUNCTION void set_stiffness(ContactRow& row, const double stiffness[3], double free) {
+/// its direction: to close a gap they would have to move beyond all bounds. The same holds where the points that touch
+/// are those of held nodes, whatever the couple does to others. touching: the inverse mass of both points that touch,
+/// over the largest of a node.
+KOKKOS_INLINE_FUNCTION void set_stiffness(ContactRow& row, const double stiffness[3], double free, double touching) {
   const auto choose = [](double d) { return d > 0 ? d : 1; };
   row.stiffness = choose(stiffness[0]);
   row.tangential_stiffness = choose(stiffness[1] > stiffness[2] ? stiffness[1] : stiffness[2]);
-  if (!(stiffness[0] > contact_limits::least_freedom * free)) hold_row(row);
+  if (!(stiffness[0] > contact_limits::least_freedom * free) || !(touching > contact_limits::least_freedom))
+    hold_row(row);
 }
 
 /// A vector shortened to `longest`.
@@ -83,7 +87,33 @@ KOKKOS_INLINE_FUNCTION RowWays find_ways(const RowNodes& at, double dt, const Co
 
 /// Slide of a step below which little is known of how it changes the gap, share of h. The sides of springs come
 /// together far more than they slide, and what dents change would turn the push of two tips along their slide.
-constexpr double find_least_slide(bool has_springs) { return has_springs ? 1e-3 : 1e-5; }
+inline constexpr double least_slide = 1e-5, least_slide_of_springs = 1e-3;
+
+/// How much of the slip that sticking owes from earlier steps a row takes over, share of h: springs keep all of it.
+inline constexpr double longest_slip = contact_limits::recovery, longest_slip_of_springs = 1e300;
+
+/// Whether a spring pushes a row. place: of its nodes.
+struct SpringChoice {
+  SpringRows rows;
+  Array<const double> spring;
+  Array<const int> body_of_place;  // empty: there are no rigid bodies
+
+  SpringChoice(const RowInputs& inputs, const RowSystem& system)
+      : rows(inputs.springs),
+        spring(system.at.spring),
+        body_of_place(system.bodies.count() > 0 ? Array<const int>(system.bodies.of_place) : Array<const int>()) {}
+
+  KOKKOS_INLINE_FUNCTION bool operator()(RowKind kind, const int* place, int count) const {
+    if (rows == SpringRows::all) return true;
+    if (rows == SpringRows::none || kind == RowKind::wall || kind == RowKind::tie) return false;
+    bool are_rigid = body_of_place.extent(0) > 0;  // these among themselves have no waves that throw them back
+    for (int slot = 0; slot < count; ++slot) {
+      if (!(spring(place[slot]) > 0)) return false;
+      are_rigid = are_rigid && body_of_place(place[slot]) >= 0;
+    }
+    return !are_rigid;
+  }
+};
 
 /// The discrete gradient of the gap (Gonzalez, J. Nonlinear Sci. 6, 1996): turns the push direction of a contact that
 /// goes on, along the way that the two sides slide, so that the motion that the check saw changes the gap by what it
@@ -124,7 +154,7 @@ KOKKOS_INLINE_FUNCTION void continue_record(const LastContact& record, const Row
   row.to_push = find_to_push(record.to_push, row.reference);
   row.held = record.held;
   if (!(row.friction > 0)) return;
-  const Point3 owed = shorten(record.slip, inputs.longest_slip * row.size);
+  const Point3 owed = shorten(record.slip, (row.has_spring ? longest_slip_of_springs : longest_slip) * row.size);
   for (int d = 0; d < 2; ++d) {
     row.impulse.tangential[d] = dot(last, row.tangent[d]);
     row.slide[d] += dot(owed, row.tangent[d]);
@@ -229,6 +259,37 @@ KOKKOS_INLINE_FUNCTION LastContact load_last_contact(const ContactHistory& histo
                                       : load_record(history, touch.old_record);
 }
 
+/// Cosine between the push that the check found and the line between two sheets from which on that line counts: not
+/// where they have gone through one another.
+inline constexpr double least_line_cosine = 0.5;
+
+/// What a spring between two sheets takes for its touch: the distance of the node from the mid-surface at n. The push
+/// is the gradient of this distance, at the closest point, so that it has a potential and needs no couple. Along the
+/// normals of the check it would turn with faces on which it does not act, and sheets that are pressed together node
+/// over node would flutter. place: of the nodes.
+KOKKOS_INLINE_FUNCTION void measure_between_sheets(const RowNodes& at, double dt, const int* place, RowTouch& touch) {
+  const Point3 origin = load_row(at.x, place[0]);
+  double weight[row_nodes];
+  for (int slot = 0; slot < row_nodes; ++slot) weight[slot] = touch.weight[slot];
+  if (touch.kind == RowKind::face) {
+    FacePoints face;
+    for (int i = 0; i < 4; ++i) face.corner[i] = load_row(at.x, place[i + 1]) - origin;
+    const FacePoint closest = find_closest_point(face);
+    for (int i = 0; i < 4; ++i) weight[i + 1] = -closest.weight[i];
+  }
+  Point3 arm{}, velocity{};
+  for (int slot = 0; slot < touch.count; ++slot) {
+    arm = arm + weight[slot] * (load_row(at.x, place[slot]) - origin);
+    velocity = velocity + weight[slot] * load_row(at.v_checked, place[slot]);
+  }
+  const double distance = norm(arm);
+  if (!(dot(arm, touch.normal) > least_line_cosine * distance)) return;
+  for (int slot = 0; slot < row_nodes; ++slot) touch.weight[slot] = weight[slot];
+  touch.normal = (1 / distance) * arm;
+  touch.gap_start = distance - touch.offset;
+  touch.gap_end = touch.gap_start + dt * dot(touch.normal, velocity);
+}
+
 /// The row of a touch whose places are set.
 KOKKOS_INLINE_FUNCTION void fill_touch_row(const ContactHistory& history, const RowInputs& inputs, const RowNodes& at,
                                            const RowTouch& touch, ContactRow& row) {
@@ -236,8 +297,9 @@ KOKKOS_INLINE_FUNCTION void fill_touch_row(const ContactHistory& history, const 
   set_arms(at.x, row);
   const RowWays ways = find_ways(at, inputs.motion.dt, row);
   if (touch.old_record >= 0)
-    row.normal = row.gap_gradient = find_discrete_gradient(touch.normal, ways.checked, touch.gap_end - touch.gap_start,
-                                                           find_least_slide(has_springs(inputs)) * touch.size);
+    row.normal = row.gap_gradient =
+        find_discrete_gradient(touch.normal, ways.checked, touch.gap_end - touch.gap_start,
+                               (row.has_spring ? least_slide_of_springs : least_slide) * touch.size);
   row.gap = touch.gap_end + dot(row.gap_gradient, ways.predicted - ways.checked);
   // Depth that no contact has seen arise cost nothing: it is held.
   if (touch.old_record < 0 && row.gap_start < 0) row.reference = -row.gap_start;

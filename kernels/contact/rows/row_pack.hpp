@@ -23,7 +23,7 @@ struct alignas(64) RowPack {
   double missing[lanes];                         // gap - target, below 0 where something is to be closed
   double slide[2][lanes];                        // as in ContactRow
   double friction[lanes];                        // likewise; 0 for a tie
-  double tied[lanes];                            // 1: a tie, which has no sign and no limit
+  double tied[lanes];                            // 1: a tie, which has no sign and no limit; a frozen row
   double stiffness[2][lanes];                    // D of the normal and of both tangents
   double impulse[3][lanes], previous[3][lanes];  // along normal and tangents, iterates k and k-1
   double lever[lanes];                           // as in ContactRow
@@ -32,7 +32,7 @@ struct alignas(64) RowPack {
   int share[row_nodes][lanes];                   // of the impulses in RowSystem::shares, -1: nowhere
   int row[lanes];                                // -1: no row
   int has_friction;                              // whether any row has friction, or is a tie
-  int ties;                                      // whether any row is a tie
+  int ties;                                      // whether any row is a tie, or frozen
   int tilted;                                    // whether any gap gradient is not the normal; without, none is set
   int turning;                                   // whether any row ties a rotation; without, lever and own are not set
 };
@@ -209,7 +209,8 @@ KOKKOS_INLINE_FUNCTION void set_lane(double (*values)[RowPack::lanes], int lane,
 /// Whether the iteration leaves the impulse of a row as it is.
 KOKKOS_INLINE_FUNCTION bool is_frozen(const ContactRow& row) { return row.spring > 0; }
 
-/// A row that is frozen: one push along its whole force, which nothing changes.
+/// A row that is frozen: one push along its whole force, which nothing changes. Like a tie it has no part in the work
+/// by which the convergence of the others is judged.
 KOKKOS_INLINE_FUNCTION void set_frozen(RowPack& pack, int lane, const ContactRow& row) {
   constexpr double unmoved = 1e300;
   const double push = norm(row.force);
@@ -217,6 +218,7 @@ KOKKOS_INLINE_FUNCTION void set_frozen(RowPack& pack, int lane, const ContactRow
   set_lane(pack.normal, lane, normal);
   if (pack.tilted != 0) set_lane(pack.gap_gradient, lane, normal);
   pack.missing[lane] = pack.friction[lane] = 0;
+  pack.tied[lane] = pack.ties = 1;
   for (int d = 0; d < 2; ++d) {
     pack.stiffness[d][lane] = unmoved;
     pack.slide[d][lane] = 0;

@@ -168,7 +168,8 @@ void pack_rows(const Space& space, RowSystem& system) {
   const Array<const int> wants = system.wants;
   const Rows4<double> shares = system.shares;
   const bool is_alone = space.concurrency() == 1;
-  const bool has_bodies = system.bodies.count() > 0;  // hold_rows_within_bodies() may have changed rows since
+  // Rows may have changed since sum_stiffness(): by hold_rows_within_bodies(), or springs push them.
+  const bool have_changed = system.bodies.count() > 0 || system.has_springs;
   Kokkos::parallel_for(
       "contact::pack_rows", RangeOf<Space>(space, 0, packs.count), KOKKOS_LAMBDA(int i) {
         RowPack& pack = p.pack(i);
@@ -176,7 +177,7 @@ void pack_rows(const Space& space, RowSystem& system) {
         for (int lane = 0; lane < RowPack::lanes; ++lane) {
           const int r = pack.row[lane];
           if (r < 0) continue;
-          if (has_bodies) set_state(pack, lane, rows(r));
+          if (have_changed) set_state(pack, lane, rows(r));
           if (wants(r) != 0 || is_frozen(rows(r))) p.active(i) = 1;
         }
         share_pack(pack, shares);

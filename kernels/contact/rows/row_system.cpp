@@ -50,7 +50,8 @@ int list_near_walls(const Space& space, const WallPairs& walls, const RowInputs&
   const WallPairs w = walls;
   const SurfaceMotion m = inputs.motion;
   const bool leaves_out_inner = !inputs.looks_inside && walls.is_inner.extent(0) > 0;
-  const bool keeps_pressed = has_springs(inputs);  // a spring gives back what it holds as it ends, however fast
+  // A spring gives back what it holds as it ends, however fast.
+  const bool keeps_pressed = inputs.springs == SpringRows::all;
   reserve(system.near_walls, pairs);
   const int num_near = list_where<Space>(
       space, pairs,
@@ -113,8 +114,8 @@ void gather_nodes(const Space& space, const RowInputs& inputs, RowSystem& system
   RowNodes& all = system.at;
   for (Rows3<double>* rows : {&all.x, &all.v, &all.v_before, &all.v_checked, &all.inverse_mass})
     reserve(*rows, system.num_places() + 1);
-  const bool has_springs = inputs.spring.extent(0) > 0, has_impulses = inputs.last_impulse.extent(0) > 0;
-  if (has_springs) {
+  const bool with_springs = has_springs(inputs), has_impulses = inputs.last_impulse.extent(0) > 0;
+  if (with_springs) {
     reserve(system.at.spring, system.num_places());
     reserve(system.at.growth, system.num_places());
   }
@@ -130,7 +131,7 @@ void gather_nodes(const Space& space, const RowInputs& inputs, RowSystem& system
         const bool goes_on = has_impulses && was_pushed(in.last_impulse, n);
         store_row(at.v_checked, a, load_row(goes_on ? in.v_before : in.motion.v, n));
         store_row(at.inverse_mass, a, load_row(in.inverse_mass, n));
-        if (!has_springs) return;
+        if (!with_springs) return;
         at.spring(a) = in.spring(n);
         at.growth(a) = in.growth.extent(0) > 0 ? in.growth(n) : 1;
       });
@@ -254,6 +255,7 @@ void count_rows(const Space& space, const RowInputs& inputs, const RowSources& s
 template <class Space>
 void start_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, RowSystem& system) {
   const auto& [touches, num_touches, walls] = sources;
+  system.has_springs = has_springs(inputs);
   number_nodes(space, static_cast<int>(inputs.motion.x.extent(0)),
                list_entry_nodes(touches, num_touches, walls, system), system);
   gather_nodes(space, inputs, system);
@@ -274,7 +276,17 @@ struct RowMaker {
   Array<ContactRow> rows;
   Array<int> wants;
   Array<TurningRow> turning;
+  SpringChoice choose_spring;
   int num_touches = 0, num_rows = 0;
+
+  /// A touch as its row takes it. place: of its nodes; has_spring: out.
+  KOKKOS_FUNCTION RowTouch load_touch(int r, const int* place, bool& has_spring) const {
+    RowTouch touch = touches(r);
+    has_spring = choose_spring(touch.kind, place, touch.count);
+    if (has_spring && inputs.springs == SpringRows::of_sheets)
+      measure_between_sheets(at, inputs.motion.dt, place, touch);
+    return touch;
+  }
 
   /// Of a tie, two edges or a wall.
   KOKKOS_FUNCTION void make_row(int r) const {
@@ -282,12 +294,15 @@ struct RowMaker {
     row = ContactRow{};
     const int count = r < num_touches ? touches(r).count : 1;
     for (int slot = 0; slot < count; ++slot) row.place[slot] = place_of_entry(r * row_nodes + slot);
-    if (r >= num_touches)
+    if (r >= num_touches) {
+      row.has_spring = choose_spring(RowKind::wall, row.place, count);
       fill_wall_row(walls, history, inputs, at, near_walls(r - num_touches), row);
-    else if (touches(r).kind == RowKind::tie)
+    } else if (touches(r).kind == RowKind::tie) {
       make_tie_row(touches(r), row);
-    else
-      fill_touch_row(history, inputs, at, touches(r), row);
+    } else {
+      const RowTouch touch = load_touch(r, row.place, row.has_spring);
+      fill_touch_row(history, inputs, at, touch, row);
+    }
   }
 
   KOKKOS_FUNCTION void make_tie_row(const RowTouch& touch, ContactRow& row) const {
@@ -304,10 +319,14 @@ struct RowMaker {
     const int end = first + TouchPack::lanes < num_rows ? first + TouchPack::lanes : num_rows;
     TouchPack on_faces;
     for (int r = first; r < end; ++r) {
-      if (r < num_touches && touches(r).kind == RowKind::face)
-        on_faces.add(touches(r), r, &place_of_entry(r * row_nodes), load_last_contact(history, touches(r)));
-      else
+      if (r >= num_touches || touches(r).kind != RowKind::face) {
         make_row(r);
+        continue;
+      }
+      const int* const place = &place_of_entry(r * row_nodes);
+      bool has_spring = false;
+      const RowTouch touch = load_touch(r, place, has_spring);
+      on_faces.add(touch, r, place, load_last_contact(history, touch), has_spring);
     }
     if (on_faces.count > 0) {
       on_faces.fill_up();
@@ -328,9 +347,19 @@ void make_rows(const Space& space, const RowInputs& inputs, const RowSources& so
   if (inputs.spins.inertia.extent(0) > 0) reserve(system.turning, static_cast<int>(inputs.ties.extent(0)));
   group_entries(space, list_entry_nodes(touches, num_touches, walls, system),
                 {touches, num_touches, system.near_walls, walls, inputs.node_numbers}, system);
-  const RowMaker maker{
-      inputs,      walls,        history,        system.at,   touches,        system.place_of_entry, system.near_walls,
-      system.rows, system.wants, system.turning, num_touches, system.num_rows};
+  const RowMaker maker{inputs,
+                       walls,
+                       history,
+                       system.at,
+                       touches,
+                       system.place_of_entry,
+                       system.near_walls,
+                       system.rows,
+                       system.wants,
+                       system.turning,
+                       SpringChoice(inputs, system),
+                       num_touches,
+                       system.num_rows};
   const int packs = (system.num_rows + TouchPack::lanes - 1) / TouchPack::lanes;
   Kokkos::parallel_for("contact::make_rows", RangeOf<Space>(space, 0, packs), maker);
 }

@@ -9,6 +9,7 @@
 
 #include "kernels/contact/check/detailed_check.hpp"
 #include "kernels/contact/check/edge_check.hpp"
+#include "kernels/contact/geometry/spring_rows.hpp"
 #include "kernels/contact/geometry/tie_geometry.hpp"
 #include "kernels/contact/rows/contact_row.hpp"
 #include "kernels/contact/rows/row_bodies.hpp"
@@ -32,6 +33,7 @@ struct RowTouch {
   int pair = 0;                                // ContactRow::pair
   bool is_caught = false;                      // ContactRow::is_caught
   bool has_thickness = false;                  // likewise
+  double offset = 0;                           // distance that the two sides keep by thickness
   int record = -1;                             // history record that the row writes
   int old_record = -1;                         // history record that it continues, -1: none
   int node[row_nodes] = {-1, -1, -1, -1, -1};  // mesh node of this rank; -1 - k: of another, slot k of all such
@@ -55,6 +57,7 @@ KOKKOS_INLINE_FUNCTION RowTouch make_row_touch(const Touch& touch) {
   row.gap_end = touch.gap_end;
   row.size = touch.size;
   row.has_thickness = touch.offset > 0;
+  row.offset = touch.offset;
   row.is_caught = !touch.opposed || is_overlapping(touch);
   return row;
 }
@@ -73,6 +76,7 @@ KOKKOS_INLINE_FUNCTION RowTouch make_edge_row_touch(const EdgeTouch& touch) {
   row.gap_end = touch.gap_end;
   row.size = touch.size;
   row.has_thickness = touch.offset > 0;
+  row.offset = touch.offset;
   row.is_caught = is_overlapping(touch);
   row.old_record = touch.record;
   return row;
@@ -129,8 +133,8 @@ struct RowNodes {
   Rows3<double> v_before = Rows3<double>("contact::row_v_before", 0);
   Rows3<double> v_checked = Rows3<double>("contact::row_v_checked", 0);        // with which the check saw them
   Rows3<double> inverse_mass = Rows3<double>("contact::row_inverse_mass", 0);  // 0: held
-  Array<double> spring = Array<double>("contact::row_spring", 0);              // stiffness of springs.hpp; penalty only
-  Array<double> growth = Array<double>("contact::row_growth", 0);              // of masses by damping; penalty only
+  Array<double> spring = Array<double>("contact::row_spring", 0);              // RowInputs::spring, where it is set
+  Array<double> growth = Array<double>("contact::row_growth", 0);              // of masses by damping; with springs
 };
 
 /// What a row that ties a rotation knows of the node's own rotation, which no other row touches. Spins times the lever.
@@ -158,16 +162,17 @@ KOKKOS_INLINE_FUNCTION bool was_pushed(const Rows3<const double>& last_impulse, 
 /// What rows read of the mesh.
 struct RowInputs {
   SurfaceMotion motion;
-  Rows3<const double> v_before;                    // [mesh nodes][3]
-  Rows3<const double> inverse_mass;                // [mesh nodes][3], 0: held; of rigid bodies anything
-  Array<const std::int64_t> node_numbers;          // [mesh nodes]
-  double impulse_scale = 1;                        // dt / last dt: the same force in this step, the first guess
-  double longest_slip = contact_limits::recovery;  // that sticking takes over from earlier steps / h
-  int num_pairs = 1;                               // of surfaces and ties; walls are booked after them
+  Rows3<const double> v_before;            // [mesh nodes][3]
+  Rows3<const double> inverse_mass;        // [mesh nodes][3], 0: held; of rigid bodies anything
+  Array<const std::int64_t> node_numbers;  // [mesh nodes]
+  double impulse_scale = 1;                // dt / last dt: the same force in this step, the first guess
+  SpringRows springs = SpringRows::none;
+  int num_pairs = 1;  // of surfaces and ties; walls are booked after them
   // Sides push each other from this depth on: those that touch but for the round-off of their places are at rest to the
   // last bit. The same in all rows: what one wants must not contradict the others beside it by however little.
   double depth_tolerance = 0;
-  Array<const double> spring{};        // [mesh nodes] stiffness of springs.hpp, empty without penalty
+  // [mesh nodes] stiffness of springs.hpp, empty without springs; 0: a node whose rows have none.
+  Array<const double> spring{};
   Array<const double> growth{};        // [mesh nodes] by how much damping raises the masses; empty: nowhere
   Array<const TieGeometry> ties{};     // of this rank; their touches come last
   Rows3<const double> last_impulse{};  // [mesh nodes] of contact in the last step; empty: none
@@ -178,8 +183,8 @@ struct RowInputs {
   double restitution = -1;
 };
 
-/// Whether springs push (penalty).
-KOKKOS_INLINE_FUNCTION bool has_springs(const RowInputs& inputs) { return inputs.spring.extent(0) > 0; }
+/// Whether springs push any rows.
+KOKKOS_INLINE_FUNCTION bool has_springs(const RowInputs& inputs) { return inputs.springs != SpringRows::none; }
 
 /// Of what rows are made, besides ties: touches by (node, face), then those of edges and ties, and pairs of walls.
 struct RowSources {
@@ -195,11 +200,12 @@ struct SurfaceNumbers {
 
 struct RowSystem {
   int num_rows = 0;
-  int num_edge_rows = 0;  // of edge pairs among them, after those of faces
-  int num_nodes = 0;      // places of nodes that this rank owns
-  int num_foreign = 0;    // places after these: nodes of other ranks that rows of this one touch
-  int num_remote = 0;     // entries that rows of other ranks have on nodes of all these places
-  int num_sent = 0;       // entries of this rank's rows that other ranks want, once for each of them
+  int num_edge_rows = 0;     // of edge pairs among them, after those of faces
+  int num_nodes = 0;         // places of nodes that this rank owns
+  int num_foreign = 0;       // places after these: nodes of other ranks that rows of this one touch
+  int num_remote = 0;        // entries that rows of other ranks have on nodes of all these places
+  int num_sent = 0;          // entries of this rank's rows that other ranks want, once for each of them
+  bool has_springs = false;  // whether springs may push rows
   Array<ContactRow> rows = Array<ContactRow>("contact::rows", 0);
   Array<int> nodes = Array<int>("contact::touched_nodes", 0);  // [num_nodes] mesh nodes, as rows come to them
   Array<int> foreign =

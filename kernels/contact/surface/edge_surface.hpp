@@ -6,6 +6,7 @@
 // offset. An edge is named by its place in these lists, which is in the
 // order of edge numbers, so that every choice by order is the same on any rank.
 
+#include "kernels/contact/geometry/spring_rows.hpp"
 #include "kernels/core/views.hpp"
 
 namespace percuss {
@@ -37,7 +38,7 @@ struct EdgeSurface {
                                       // a line of a smooth surface; 3: likewise, the ridge across a warped face (both
                                       // wings of a side are the corner there); empty: the scene has none
   Array<const EdgeScale> scale;       // [edges] empty: the scene has no lines of smooth surfaces
-  bool has_springs = false;           // contacts give way (penalty)
+  SpringRows springs = SpringRows::none;  // which contacts give way
 };
 
 /// Pairs of edges, by (a, b), a before b.
@@ -53,6 +54,12 @@ struct EdgePairs {
 /// Half the thickness of the shells of an edge, the radius of a beam, 0 of solids.
 KOKKOS_INLINE_FUNCTION double find_edge_offset(const EdgeSurface& surface, int edge) {
   return surface.offset.extent(0) > 0 ? surface.offset(edge) : 0;
+}
+
+/// Whether springs push two edges, or the nodes and faces beside them.
+KOKKOS_INLINE_FUNCTION bool gives_way(const EdgeSurface& surface, int a, int b) {
+  return surface.springs == SpringRows::all || (surface.springs == SpringRows::of_sheets &&
+                                                find_edge_offset(surface, a) > 0 && find_edge_offset(surface, b) > 0);
 }
 
 /// Whether an edge is a beam, which has no faces: its first wings are its ends.

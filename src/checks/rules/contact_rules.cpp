@@ -336,7 +336,7 @@ std::vector<Warning> check_glue_step(const CheckedScene& scene) {
 std::vector<Warning> check_contact_tolerance(const CheckedScene& scene) {
   constexpr double most = 0.1;  // of the penetration that a step without contact would have
   const ContactDeck& contact = scene.deck.contact;
-  if (contact.enforcement != ContactDeck::Enforcement::kinematic || contact.tolerance <= most) return {};
+  if (!contact.is_iterated() || contact.tolerance <= most) return {};
   return {warn_at(scene.deck, "contact_tolerance", "contact.tolerance",
                   fmt::format("contact.tolerance is {:g} (so much of the penetration of a step may be left; usual is "
                               "1e-3): lower it",

@@ -40,7 +40,7 @@ EdgeSurface make_edge_surface(const std::vector<EdgeTopology>& edges, const Find
   surface.offset = to_view("contact::edge_offset", offsets);
   surface.is_blunt = to_view("contact::blunt_edges", blunt);
   surface.scale = to_view("contact::edge_scale", scales);
-  surface.has_springs = share.has_springs;
+  surface.springs = share.springs;
   surface.num_classes = share.num_classes;
   surface.pair_friction = share.pair_friction;
   surface.pair_number = share.pair_number;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/index_lists.hpp"
@@ -23,10 +22,12 @@ SharedNodes find_copies(const ContactRanks& ranks) {
   return shared;
 }
 
+/// Of the stiffness of springs between sheets. They rebound the better the softer they are, and sink in the deeper.
+constexpr double scale_of_sheets = 0.1;
+
 /// Contact stiffness by mesh node, also of those that only walls stop.
-Array<const double> find_springs(const Mesh& mesh, const SurfaceShare& share, const WallPairs& walls,
-                                 const ContactDeck& deck) {
-  if (deck.enforcement != ContactDeck::Enforcement::penalty) return {};
+Array<const double> find_springs(const Mesh& mesh, const SurfaceShare& share, const WallPairs& walls) {
+  if (share.springs == SpringRows::none) return {};
   std::vector<double> springs(mesh.nodes.size(), 0);
   const auto node = to_host(walls.node);
   const auto spring = to_host(walls.spring);
@@ -66,13 +67,14 @@ Enforcer::Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const W
       has_many_ranks_(ranks.ranks.size() > 1),
       is_first_rank_(ranks.ranks.rank() == 0),
       deck_(deck.contact),
+      springs_(share.springs),
       exchange_(ranks),
       copied_(find_copies(ranks)),
       ties_rotations_(deck.contact.ties_rotations()),
       copies_(ranks.ranks, copied_, ties_rotations_ ? 3 : 2),
       depth_tolerance_(find_depth_tolerance(ranks.mesh)),
       forces_(forces),
-      spring_(find_springs(ranks.mesh, share, walls, deck.contact)),
+      spring_(find_springs(ranks.mesh, share, walls)),
       pair_work_(deck.output.history_every ? name_contact_pairs(deck).size() : 0) {}
 
 void Enforcer::redefine(const Mesh& mesh, const SurfaceShare& share, const WallPairs& walls,
@@ -81,7 +83,8 @@ void Enforcer::redefine(const Mesh& mesh, const SurfaceShare& share, const WallP
   moving_walls_.place(walls_);
   wall_sleep_.wake();
   ties_ = ties;
-  spring_ = find_springs(mesh, share, walls, deck_);
+  springs_ = share.springs;
+  spring_ = find_springs(mesh, share, walls);
   remembers_ = true;
   system_.num_written = -1;
 }
@@ -208,15 +211,11 @@ void Enforcer::find_tie_uses(const TieStrengths& strengths, const Array<double>&
 
 template <class Space>
 SolveReport Enforcer::solve(const Space& space, double dt, double dt_mean) {
-  const SolveQuery query{dt, dt_mean, deck_.tolerance, deck_.penalty_scale, node_numbers_};
-  switch (deck_.enforcement) {
-    case ContactDeck::Enforcement::penalty:
-      return solve_penalty(space, query, system_, sums_, exchange_);
-    case ContactDeck::Enforcement::lagrange:
-      return solve_lagrange(space, query, system_, sums_, exchange_);
-    case ContactDeck::Enforcement::kinematic:
-      break;
-  }
+  const double scale = springs_ == SpringRows::all ? deck_.penalty_scale : scale_of_sheets;
+  const SolveQuery query{dt, dt_mean, deck_.tolerance, scale, node_numbers_};
+  if (springs_ != SpringRows::none) return solve_springs(space, query, system_, sums_, exchange_);
+  if (deck_.enforcement == ContactDeck::Enforcement::lagrange)
+    return solve_lagrange(space, query, system_, sums_, exchange_);
   return solve_kinematic(space, query, system_, sums_, exchange_);
 }
 
@@ -252,13 +251,13 @@ Traffic Enforcer::traffic() const {
 }
 
 RowInputs Enforcer::make_inputs(const ContactMotion& motion) const {
-  const bool has_springs = deck_.enforcement == ContactDeck::Enforcement::penalty;
+  const double restitution = deck_.find_restitution();
   return {{motion.x, motion.v, motion.dt},
           motion.v_before,
           motion.inverse_mass,
           node_numbers_,
           last_dt_ > 0 ? motion.dt / last_dt_ : 1,
-          has_springs ? std::numeric_limits<double>::infinity() : contact_limits::recovery,
+          springs_,
           count_booked_surfaces(deck_) + static_cast<int>(deck_.ties.size()),
           depth_tolerance_,
           spring_,
@@ -268,7 +267,7 @@ RowInputs Enforcer::make_inputs(const ContactMotion& motion) const {
           last_pushes_ != 0,
           motion.bodies,
           ties_rotations_ ? motion.spins : SpinInputs{},
-          has_springs || deck_.find_restitution() > 0 ? deck_.find_restitution() : -1};
+          springs_ == SpringRows::all || restitution > 0 ? restitution : -1};
 }
 
 WallWays Enforcer::find_wall_ways(const ContactMotion& motion) const {

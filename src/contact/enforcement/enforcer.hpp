@@ -99,6 +99,7 @@ class Enforcer {
   const Array<const std::int64_t> node_numbers_;  // [mesh nodes]
   const bool has_many_ranks_, is_first_rank_;
   const ContactDeck deck_;
+  SpringRows springs_;
   RowExchange exchange_;
   const SharedNodes copied_;
   const bool ties_rotations_;

@@ -147,8 +147,7 @@ ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls, c
   ContactHistory history{
       Array<std::int64_t>("contact::history_face", faces), Rows3<double>("contact::history_impulse", records),
       Rows3<double>("contact::history_slip", records), Array<double>("contact::history_reference", records)};
-  if (contact.enforcement == ContactDeck::Enforcement::penalty)
-    history.held = Array<double>("contact::history_held", records);
+  if (share.springs != SpringRows::none) history.held = Array<double>("contact::history_held", records);
   if (contact.overlap == ContactDeck::Overlap::push_out)
     history.to_push = Array<double>("contact::history_to_push", records);
   Kokkos::deep_copy(history.face, std::int64_t{-1});

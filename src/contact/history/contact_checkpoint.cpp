@@ -28,8 +28,7 @@ void archive_records(CheckpointArchive& archive, const std::string& name, const 
   archive.rows(name + "/impulse", rows, 3 * size, take(history.impulse, first, end));
   archive.rows(name + "/slip", rows, 3 * size, take(history.slip, first, end));
   archive.rows(name + "/reference", rows, size, take(history.reference, first, end));
-  if (contact.enforcement == ContactDeck::Enforcement::penalty)
-    archive.rows(name + "/held", rows, size, take(history.held, first, end));
+  if (history.held.extent(0) > 0) archive.rows(name + "/held", rows, size, take(history.held, first, end));
   if (contact.overlap == ContactDeck::Overlap::push_out)
     archive.rows(name + "/to_push", rows, size, take(history.to_push, first, end));
 }

@@ -216,6 +216,7 @@ void list_nodes(const Mesh& mesh, const std::vector<NodeNotice>& notices, Surfac
       std::sort(first, last, [&](int a, int b) { return face_of(a).number < face_of(b).number; });
     begin_node(mesh, n, face_of(*first).part, share);
     const NodeItems around(first, last, face_of);
+    bool has_soft = false;  // a face without a spring
     point_classes.emplace_back();
     for (auto item = first; item != last; ++item) {
       const NodeNotice& notice = notices[at(*item)];
@@ -228,9 +229,11 @@ void list_nodes(const Mesh& mesh, const std::vector<NodeNotice>& notices, Surfac
         continue;
       }
       nodes.springs.back() += notice.spring;
+      has_soft = has_soft || !(notice.spring > 0);
       if (nodes.faces.size() == at(nodes.first_face.back())) nodes.parts.back() = face.part;
       nodes.faces.push_back(notice.face);
     }
+    if (has_soft) nodes.springs.back() = 0;  // what else it has does not carry the whole thickness there
   }
   nodes.first_face.push_back(static_cast<int>(nodes.faces.size()));
 }

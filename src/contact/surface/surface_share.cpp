@@ -191,6 +191,13 @@ void set_lists(const Mesh& mesh, const Communicator& ranks, SurfaceShare& share)
   share.total_edges = totals[3];
 }
 
+/// largest_offset: 0: there are no sheets.
+SpringRows find_spring_rows(const ContactDeck& contact, double largest_offset) {
+  using Enforcement = ContactDeck::Enforcement;
+  if (contact.enforcement == Enforcement::penalty) return SpringRows::all;
+  return contact.enforcement == Enforcement::automatic && largest_offset > 0 ? SpringRows::of_sheets : SpringRows::none;
+}
+
 }  // namespace
 
 SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
@@ -199,7 +206,6 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
   const Mesh& mesh = chunked.mesh;
   SurfaceShare share;
   share.active = active;
-  share.has_springs = deck.contact.enforcement == ContactDeck::Enforcement::penalty;
   const std::vector<ElementFace> faces = find_exterior_faces(mesh);
   list_faces(chunked, faces, share);
   const std::vector<SurfaceSet> face_sets = find_face_surfaces(mesh, deck, ties, faces);
@@ -230,6 +236,7 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
   if (has_edges) set_edges(mesh, exchange.ranks(), edges, edge_surfaces, share);
   set_lists(mesh, exchange.ranks(), share);
   set_offsets(mesh, exchange.ranks(), share);
+  share.springs = find_spring_rows(deck.contact, share.largest_offset);
   return share;
 }
 

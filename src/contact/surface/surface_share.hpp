@@ -40,7 +40,7 @@ struct OwnedContactNodes {
   std::vector<int> parts;             // index into Mesh::parts
   std::vector<double> sizes;          // shortest edge of the faces around each at time 0 [length]
   std::vector<double>
-      springs;  // stiffness of each (kernels/contact/enforcement/springs.hpp) [force/length]; 0 without penalty
+      springs;  // stiffness of each (kernels/contact/enforcement/springs.hpp) [force/length]; 0: its rows have none
   std::vector<int> first_face;  // [nodes + 1] into faces
   std::vector<int> faces;       // around each node, ascending number: SurfaceShare::face(); a free particle has none
   std::vector<char> searched;   // whether it may touch any face
@@ -74,7 +74,7 @@ struct SurfaceShare {
   bool has_beams = false;        // whether some of any rank do
 
   double largest_offset = 0;  // of any face or node of any rank that may touch [length]; 0: no shells or beams do
-  bool has_springs = false;   // contacts give way (penalty)
+  SpringRows springs = SpringRows::none;  // which contacts give way
 
   // For kernels over the share.
   Array<const int> node_list;       // [owned contact nodes] mesh nodes

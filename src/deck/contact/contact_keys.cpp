@@ -139,7 +139,8 @@ const Keys<ContactDeck>& contact_keys() {
           ChoiceValue<Overlap>{
               {{"accept", Overlap::accept}, {"push_out", Overlap::push_out}, {"refuse", Overlap::refuse}}}),
       may("enforcement", &ContactDeck::enforcement,
-          ChoiceValue<Enforcement>{{{"kinematic", Enforcement::kinematic},
+          ChoiceValue<Enforcement>{{{"automatic", Enforcement::automatic},
+                                    {"kinematic", Enforcement::kinematic},
                                     {"lagrange", Enforcement::lagrange},
                                     {"penalty", Enforcement::penalty}}}),
       may("penalty_scale", &ContactDeck::penalty_scale, NumberValue{positive}),

@@ -226,7 +226,7 @@ void check_idle_contact(const Deck& deck, const Node& root, Reading& reading) {
   };
   const ContactDeck& read = deck.contact;
   warn("penalty_scale", read.enforcement != Enforcement::penalty, "it applies only to contact.enforcement: penalty");
-  warn("tolerance", read.enforcement != Enforcement::kinematic, "it applies only to contact.enforcement: kinematic");
+  warn("tolerance", !read.is_iterated(), "it applies only to contact.enforcement: automatic and kinematic");
   const bool has_bodies = !deck.rigid_sets.empty() || std::any_of(deck.parts.begin(), deck.parts.end(),
                                                                   [](const PartDeck& part) { return part.rigid; });
   warn("restitution", !has_bodies, "no part is rigid, and others rebound by their own waves");

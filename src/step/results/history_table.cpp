@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "src/deck/asked_for.hpp"
+#include "src/deck/contact/contact_springs.hpp"
 
 namespace percuss {
 namespace {
@@ -21,7 +22,6 @@ bool resists_folding(const Deck& deck) { return deck.elements.resist_folding; }
 bool is_damped(const Deck& deck) { return !deck.dampings.empty(); }
 bool ties_can_fail(const Deck& deck) { return deck.contact.has_failing_ties(); }
 bool is_lagrange(const Deck& deck) { return deck.contact.enforcement == ContactDeck::Enforcement::lagrange; }
-bool is_penalty(const Deck& deck) { return deck.contact.enforcement == ContactDeck::Enforcement::penalty; }
 
 struct HistoryEntry {
   const char* name;
@@ -85,7 +85,7 @@ constexpr HistoryEntry before_pairs[] = {
      [](const From& s) { return s.contact.residual; }},
     {"complementarity", no_dimension, "violation of the contact conditions, over the largest closing velocity",
      is_lagrange, [](const From& s) { return s.contact.complementarity; }},
-    {"contact_stored", dim::energy, "energy in contact springs", is_penalty,
+    {"contact_stored", dim::energy, "energy in contact springs", may_have_contact_springs,
      [](const From& s) { return s.contact.stored; }},
     {"failed_ties", no_dimension, "tied nodes that have failed", ties_can_fail,
      [](const From& s) { return static_cast<double>(s.contact.failed_ties); }},

@@ -199,7 +199,7 @@ TEST(EdgeCheck, BluntEdgesBetweenSpringsTouchWhereSlowBodiesCross) {
   const auto touches = [](double height, double fall) {
     Roofs r(height, fall);
     r.set_blunt();
-    r.surface.has_springs = true;
+    r.surface.springs = SpringRows::all;
     return r.check();
   };
   EXPECT_FALSE(touches(-0.0545, 1e-4));
@@ -211,7 +211,7 @@ TEST(EdgeCheck, BluntEdgesOverlapAtTheStartOnceTheyWouldTouch) {
     Roofs r(height, 0);
     r.motion.dt = 0;
     r.set_blunt();
-    r.surface.has_springs = has_springs;
+    r.surface.springs = has_springs ? SpringRows::all : SpringRows::none;
     return find_edge_depth(r.surface, r.motion, 0, 1, r.touch);
   };
   EXPECT_EQ(depth(-0.004, false), 0);
@@ -270,7 +270,7 @@ TEST(EdgeCheck, EndsOfEdgesThatHaveCrossedTouch) {
   ASSERT_TRUE(r.check());
   EXPECT_NEAR(r.touch.s, 0.0005, tight);
   EXPECT_NEAR(r.touch.gap_end, -0.009, tight);
-  r.surface.has_springs = true;  // which nodes and faces have, too
+  r.surface.springs = SpringRows::all;  // which nodes and faces have, too
   EXPECT_FALSE(r.check());
   EXPECT_FALSE(Roofs(-0.004, 0.003, 0.4995).check());
 }

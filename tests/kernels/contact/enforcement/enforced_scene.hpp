@@ -35,7 +35,7 @@ struct EnforcedScene {
     RowInputs inputs{scene.motion, before, inverse_mass, nodes, 1};
     if (solver == Solver::springs) {
       inputs.spring = to_array(std::vector<double>(bricks.v.size(), 1.0));
-      inputs.longest_slip = 1e300;
+      inputs.springs = SpringRows::all;
       // Springs push what earlier steps have seen going in; depth that nothing has seen is held.
       for (int i = 0; i < scene.touches.count; ++i) touches(i).old_record = touches(i).record;
     }
@@ -45,7 +45,7 @@ struct EnforcedScene {
     if (system.num_rows == 0) return;
     RowSumMemory memory;
     const SolveQuery query{step.dt, step.dt_mean, tolerance, 2, nodes};
-    solved = solver == Solver::springs    ? solve_penalty(space, query, system, memory, others)
+    solved = solver == Solver::springs    ? solve_springs(space, query, system, memory, others)
              : solver == Solver::iterated ? solve_kinematic(space, query, system, memory, others)
                                           : solve_lagrange(space, query, system, memory, others);
     apply_impulses(space, system, scene.v, impulse);

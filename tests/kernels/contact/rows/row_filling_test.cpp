@@ -26,6 +26,7 @@ struct DrawnRows {
   ContactHistory history{Array<std::int64_t>("test::face", lanes), Rows3<double>("test::impulse", lanes),
                          Rows3<double>("test::slip", lanes), Array<double>("test::reference", lanes)};
   RowInputs inputs;
+  bool has_spring[lanes];
 
   DrawnRows(Draw& draw, bool has_friction) {
     const auto nodes = static_cast<std::size_t>(row_nodes * lanes);
@@ -35,9 +36,11 @@ struct DrawnRows {
     inputs.motion.dt = 0.1;
     inputs.impulse_scale = 0.9;
     inputs.depth_tolerance = 1e-3;
+    inputs.springs = draw.once_in(2) ? SpringRows::of_sheets : SpringRows::none;
     for (int lane = 0; lane < lanes; ++lane) {
       place(draw, lane);
       touch(draw, lane, has_friction);
+      has_spring[lane] = has_springs(inputs) && draw.once_in(2);
     }
   }
 
@@ -78,6 +81,7 @@ struct DrawnRows {
   ContactRow fill_one(int lane) const {
     ContactRow row;
     for (int slot = 0; slot < row_nodes; ++slot) row.place[slot] = row_nodes * lane + slot;
+    row.has_spring = has_spring[lane];
     fill_touch_row(history, inputs, at, touches(lane), row);
     return row;
   }
@@ -88,7 +92,7 @@ struct DrawnRows {
     for (int lane = 0; lane < count; ++lane) {
       int places[row_nodes];
       for (int slot = 0; slot < row_nodes; ++slot) places[slot] = row_nodes * lane + slot;
-      pack.add(touches(lane), lane, places, load_last_contact(history, touches(lane)));
+      pack.add(touches(lane), lane, places, load_last_contact(history, touches(lane)), has_spring[lane]);
     }
     pack.fill_up();
     make_face_rows(pack, inputs, at, touches, rows);
@@ -114,6 +118,7 @@ void expect_same_bits(const ContactRow& a, const ContactRow& b) {
   EXPECT_EQ(a.record, b.record);
   EXPECT_EQ(a.is_caught, b.is_caught);
   EXPECT_EQ(a.has_thickness, b.has_thickness);
+  EXPECT_EQ(a.has_spring, b.has_spring);
   for (int slot = 0; slot < row_nodes; ++slot) {
     EXPECT_EQ(a.place[slot], b.place[slot]);
     expect_same_bits(a.weight[slot], b.weight[slot]);

@@ -1,0 +1,127 @@
+// Elastic sheets that touch flush: nothing takes their energy, and nothing gives them any.
+//
+// A node of a sheet carries its whole thickness. Contact that stops it takes all energy of the relative motion, however
+// fine the mesh. The energy of motion and strain is that of the start, 1/2 m v^2 of the sheet that moves.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "tests/verification/support/run_deck.hpp"
+
+namespace percuss::test::flush_sheets_test {
+namespace {
+
+constexpr const char* materials =
+    "materials: {steel: {model: elastic, density: 7.85e-9, youngs_modulus: 210e3, poissons_ratio: 0.3}}\n";
+
+/// Kinetic, strain and hourglass energy, and that of the springs of contact, of a row of the history.
+double find_energy(const HistoryTable& history, std::size_t row) {
+  double sum = 0;
+  for (const char* column : {"kinetic", "internal", "hourglass"}) sum += history[column][row];
+  return history.has("contact_stored") ? sum + history["contact_stored"][row] : sum;
+}
+
+struct KeptEnergy {
+  double least = 1, most = 1, error = 0;  // shares of that of the start
+};
+
+KeptEnergy measure(const Outcome& run) {
+  const double start = find_energy(run.history, 0);
+  KeptEnergy kept;
+  for (std::size_t row = 0; row < run.history.rows(); ++row) {
+    const double share = find_energy(run.history, row) / start;
+    kept.least = std::min(kept.least, share);
+    kept.most = std::max(kept.most, share);
+  }
+  kept.error = std::abs(run.summary.energy.error);
+  fmt::print("energy kept {:.4f} to {:.4f}, balance {:.1e}\n", kept.least, kept.most, kept.error);
+  return kept;
+}
+
+void expect_kept(const Outcome& run) {
+  const KeptEnergy kept = measure(run);
+  EXPECT_GT(kept.least, 0.95);
+  EXPECT_LT(kept.most, 1.02);
+  EXPECT_LT(kept.error, 2e-3);
+}
+
+/// Two strips, held at the same ends, the upper one at 1 m/s onto the lower one.
+std::string make_strips(const std::string& cells, double ratio, const std::string& contact = "") {
+  return fmt::format(R"(
+title: two strips
+units: mm, t, s
+time: {{end: 2e-3}}
+parts:
+  lower: {{shell_plate: {{size: [100, 20], cells: {0}}}, thickness: 1.0, material: steel}}
+  upper: {{shell_plate: {{size: [100, 20], cells: {0}}}, thickness: {1}, at: [0, 0, {2}], material: steel}}
+{3}initial: [{{part: upper, velocity: [0, 0, -1000]}}]
+conditions:
+  - {{nodes: lower/x_min, fixed: [x, y, z]}}
+  - {{nodes: lower/x_max, fixed: [x, y, z]}}
+  - {{nodes: upper/x_min, fixed: [x, y, z]}}
+  - {{nodes: upper/x_max, fixed: [x, y, z]}}
+contact: {{surfaces: all, friction: 0{4}}}
+output: {{history: {{every: 5e-5}}}}
+)",
+                     cells, ratio, 0.5 + 0.5 * ratio, materials, contact);
+}
+
+/// Sheets of one mesh, node over node, the lowest one held, under 1 MPa that comes in 0.2 ms.
+std::string make_stack(int sheets, double friction) {
+  std::string parts;
+  for (int s = 0; s < sheets; ++s)
+    parts += fmt::format(
+        "  s{0}: {{shell_plate: {{size: [20, 10], cells: [4, 2]}}, thickness: 1, at: [0, 0, {0}], material: steel}}\n",
+        s);
+  return fmt::format(R"(
+title: a stack of sheets
+units: mm, t, s
+time: {{end: 2e-3}}
+parts:
+{0}{1}conditions: [{{nodes: s0, fixed: [x, y, z]}}]
+loads: {{pressure: [{{faces: s{2}/top, value: {{table: [[0, 0], [2e-4, 1]]}}, direction: -z}}]}}
+contact: {{surfaces: all, friction: {3}}}
+output: {{history: {{every: 5e-5}}}}
+)",
+                     parts, materials, sheets - 1, friction);
+}
+
+}  // namespace
+
+TEST(FlushSheets, KeepTheirEnergyForAnyMeshAndThickness) {
+  for (const char* cells : {"[10, 2]", "[20, 4]", "[30, 6]"}) expect_kept(run_deck(make_strips(cells, 1.5)));
+  for (const double ratio : {1.0, 3.0}) expect_kept(run_deck(make_strips("[20, 4]", ratio)));
+}
+
+TEST(FlushSheets, KeepTheirEnergyOnARigidBody) {
+  std::string text = make_strips("[10, 2]", 1);
+  const std::string shells = "lower: {shell_plate: {size: [100, 20], cells: [10, 2]}, thickness: 1.0, material: steel}";
+  text.replace(text.find(shells), shells.size(),
+               "lower: {box: {size: [100, 20, 5], cells: [7, 2, 1]}, at: [0, 0, -4.5], material: steel, rigid: {}}");
+  expect_kept(run_deck(text));
+}
+
+// What a constraint takes where a sheet stops on another one; it gives nothing, though both are held at the same ends.
+TEST(FlushSheets, GainNothingUnderAConstraint) {
+  const KeptEnergy kept = measure(run_deck(make_strips("[40, 8]", 1.5, ", enforcement: kinematic"), {"time.end=5e-4"}));
+  EXPECT_LT(kept.most, 1.001);
+}
+
+// Springs that push along the normals of faces make such a stack flutter: 9 sheets gain half of what presses them.
+TEST(FlushSheets, RestInAStackUnderPressure) {
+  for (const double friction : {0.0, 0.2}) {
+    const Outcome run = run_deck(make_stack(20, friction));
+    const double stored = run.history.last("contact_stored"), kinetic = run.history.last("kinetic");
+    fmt::print("friction {}: stored {:.4g}, kinetic {:.4g}, contact {:.4g}\n", friction, stored, kinetic,
+               run.history.last("contact"));
+    EXPECT_LT(kinetic, 0.05 * stored);
+    EXPECT_LT(run.history.last("contact") + stored, 1e-3 * stored);
+    EXPECT_LT(std::abs(run.summary.energy.error), 1e-3);
+  }
+}
+
+}  // namespace percuss::test::flush_sheets_test
