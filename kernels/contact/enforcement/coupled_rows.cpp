@@ -236,12 +236,8 @@ void set_impulses(const Space& space, const std::vector<RowImpulse>& impulses, c
   const Array<ContactRow> rows = system.rows;
   const Array<const RowImpulse> values = to_view("contact::impulses", impulses);
   Kokkos::parallel_for(
-      "contact::set_impulses", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
-        ContactRow& row = rows(r);
-        row.impulse = row.previous = values(r);
-        row.force = sum_impulse(row, row.impulse);
-        row.couple = find_couple(row, row.force);
-      });
+      "contact::set_impulses", RangeOf<Space>(space, 0, system.num_rows),
+      KOKKOS_LAMBDA(int r) { set_impulse(rows(r), values(r)); });
   space.fence();
 }
 

@@ -12,9 +12,10 @@ PredictedGaps find_predicted_gaps(const Space& space, const RowSystem& system, R
       s.merge({0, way, row.size, 1, 0, 0});
       return;
     }
-    const double missing = row.spring > 0 ? 0 : row.target - row.gap;
+    const double missing = is_frozen(row) ? 0 : row.target - row.gap;
     const bool is_spring = row.has_spring && !row.is_rigid;
-    s.merge({missing > 0 ? missing : 0, 0, row.size, 1, row.is_rigid ? 1 : 0, is_spring ? 1 : 0});
+    const bool is_iterated = row.is_rigid && !row.is_solved;
+    s.merge({missing > 0 ? missing : 0, 0, row.size, 1, is_iterated ? 1 : 0, is_spring ? 1 : 0});
   });
 }
 

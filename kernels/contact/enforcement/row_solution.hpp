@@ -13,6 +13,7 @@
 
 #include "kernels/contact/enforcement/coupled_rows.hpp"
 #include "kernels/contact/enforcement/enforcement.hpp"
+#include "kernels/contact/enforcement/rigid_rows.hpp"
 #include "kernels/contact/enforcement/springs.hpp"
 #include "kernels/contact/rows/body_rows.hpp"
 #include "kernels/contact/rows/row_packs.hpp"
@@ -33,6 +34,10 @@ struct OneRank {
   // Solves the rows of all ranks as one problem; impulses: of this rank's rows.
   CoupledReport solve_together(const std::vector<CoupledRow>& rows, double dt, std::vector<RowImpulse>& impulses) {
     return solve_in_key_order(rows, dt, impulses);
+  }
+  // The same for those between rigid bodies.
+  RigidReport solve_rigid(const RigidRowList& list, const RigidQuery& query, std::vector<RigidImpulse>& impulses) {
+    return solve_rigid_rows(list.rows, list.others, list.responses, query, impulses);
   }
 };
 
@@ -192,14 +197,6 @@ SolveReport iterate_rows(const Space& space, const SolveQuery& query, RowSystem&
   return report;
 }
 
-/// contact.enforcement: kinematic.
-template <class Space, class Others>
-SolveReport solve_kinematic(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
-                            Others& others) {
-  if (!others.takes_part(system)) return {0, 0, false};
-  return iterate_rows(space, query, system, memory, others);
-}
-
 /// RowSystem::correction of the impulses of all rows, whose shares have been swapped.
 template <class Space, class Others>
 void follow_impulses(const Space& space, RowSystem& system, Others& others) {
@@ -211,8 +208,41 @@ void follow_impulses(const Space& space, RowSystem& system, Others& others) {
   space.fence();
 }
 
+/// The impulses of all rows but those of springs: first those of islands of rigid bodies, then all others by iteration.
+template <class Space, class Others>
+SolveReport solve_rows(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
+                       Others& others) {
+  if (system.bodies.count() == 0) return iterate_rows(space, query, system, memory, others);
+  space.fence();
+  const RigidRowList list = list_rigid_rows(system);
+  std::vector<RigidImpulse> impulses;
+  const RigidReport rigid = others.solve_rigid(
+      list, {query.dt, Convergence::of_rigid * query.tolerance, Convergence::absolute_tolerance}, impulses);
+  set_rigid_impulses(space, list, impulses, system);
+  SolveReport report{rigid.rows, 0, true};
+  if (rigid.is_all == 0) {
+    report = iterate_rows(space, query, system, memory, others);
+  } else {
+    share_impulses(space, system);
+    others.swap_shares(space, system);
+    follow_impulses(space, system, others);
+  }
+  report.iterations = std::max(report.iterations, rigid.sweeps);
+  report.converged = report.converged && rigid.converged != 0;
+  return report;
+}
+
+/// contact.enforcement: kinematic.
+template <class Space, class Others>
+SolveReport solve_kinematic(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
+                            Others& others) {
+  if (!others.takes_part(system)) return {0, 0, false};
+  return solve_rows(space, query, system, memory, others);
+}
+
 /// The impulses of springs, and of stops where a spring gives way too far (contact.enforcement: penalty, automatic).
-/// Rows that none pushes, as those of rigid bodies among themselves, are iterated with the pushes of all springs.
+/// Rows that none pushes are solved with the pushes of all springs: those among rigid bodies by islands, all others by
+/// iteration.
 template <class Space, class Others>
 SolveReport solve_springs(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
                           Others& others) {
@@ -226,7 +256,7 @@ SolveReport solve_springs(const Space& space, const SolveQuery& query, RowSystem
   share_impulses(space, system);
   others.swap_shares(space, system, sums);
   const PredictedGaps gaps = sums.gaps;  // of all ranks, as are the changes
-  if (gaps.springs == 0) return iterate_rows(space, query, system, memory, others);
+  if (gaps.springs == 0) return solve_rows(space, query, system, memory, others);
   follow_impulses(space, system, others);
   int passes = 0;
   for (; passes < max_passes && sums.change > (passes > 0 ? settled * gaps.smallest_size : 0); ++passes) {
@@ -237,7 +267,7 @@ SolveReport solve_springs(const Space& space, const SolveQuery& query, RowSystem
     follow_impulses(space, system, others);
   }
   SolveReport report{gaps.rows, 0, true, 0};
-  if (gaps.springs < gaps.rows) report = iterate_rows(space, query, system, memory, others);
+  if (gaps.springs < gaps.rows) report = solve_rows(space, query, system, memory, others);
   report.iterations += 1 + passes;
   book_springs(space, times, system);
   space.fence();

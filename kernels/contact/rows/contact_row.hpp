@@ -53,6 +53,7 @@ struct ContactRow {
   bool is_held = false;             // nothing moves its nodes
   bool is_rigid = false;            // between rigid bodies, or of one with a wall, where mark_rigid_rows() found them
   bool has_spring = false;          // a spring pushes it, where nodes are free (SpringRows); others are iterated
+  bool is_solved = false;           // its impulse stands already (rigid_rows.hpp): the iteration leaves it
   double held_apart = 0;            // tie: way to its place in directions in which nothing moves its nodes [length]
   double spring = 0;                // stiffness of a penalty row [force/length], 0: none
   double held = 0;                  // penalty: energy that the sides have given the spring; 0: not known
@@ -165,6 +166,16 @@ KOKKOS_INLINE_FUNCTION void limit_friction(const ContactRow& row, RowImpulse& p)
   p.tangential[0] *= factor;
   p.tangential[1] *= factor;
 }
+
+/// Sets the impulses of a row with their P and q.
+KOKKOS_INLINE_FUNCTION void set_impulse(ContactRow& row, const RowImpulse& p) {
+  row.impulse = row.previous = p;
+  row.force = sum_impulse(row, p);
+  row.couple = find_couple(row, row.force);
+}
+
+/// Whether the iteration leaves the impulse of a row as it is: that of a spring, or one that is found already.
+KOKKOS_INLINE_FUNCTION bool is_frozen(const ContactRow& row) { return row.spring > 0 || row.is_solved; }
 
 /// Whether Coulomb's limit has not shortened the tangential impulse.
 KOKKOS_INLINE_FUNCTION bool is_sticking(const ContactRow& row) {

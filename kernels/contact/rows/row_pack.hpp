@@ -206,9 +206,6 @@ KOKKOS_INLINE_FUNCTION void set_lane(double (*values)[RowPack::lanes], int lane,
   values[2][lane] = a.z;
 }
 
-/// Whether the iteration leaves the impulse of a row as it is.
-KOKKOS_INLINE_FUNCTION bool is_frozen(const ContactRow& row) { return row.spring > 0; }
-
 /// A row that is frozen: one push along its whole force, which nothing changes. Like a tie it has no part in the work
 /// by which the convergence of the others is judged.
 KOKKOS_INLINE_FUNCTION void set_frozen(RowPack& pack, int lane, const ContactRow& row) {

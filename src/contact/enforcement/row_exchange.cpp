@@ -230,17 +230,41 @@ void RowExchange::send_pushes(const Array<const NormalPush>& sent, const RowSyst
   Kokkos::deep_copy(remote, mirror);
 }
 
-CoupledReport RowExchange::solve_together(const std::vector<CoupledRow>& rows, double dt,
-                                          std::vector<RowImpulse>& impulses) {
-  if (!has_many_ranks_) return solve_in_key_order(rows, dt, impulses);
+/// Gathers rows on the first rank, which solves them; each rank gets the impulses of its own, and all the report.
+template <class Report, class Row, class Impulse, class Solve>
+Report RowExchange::solve_on_first_rank(const std::vector<Row>& rows, std::vector<Impulse>& impulses,
+                                        const Solve& solve) {
   const ExchangePlan plan = exchange_.plan(order_by_destination(std::vector<int>(rows.size(), 0)).to);
-  const std::vector<CoupledRow> gathered = data_.exchange(plan, rows);
-  std::vector<RowImpulse> found;
-  CoupledReport report;
-  if (ranks_.ranks.rank() == 0) report = solve_in_key_order(gathered, dt, found);
+  const std::vector<Row> gathered = data_.exchange(plan, rows);
+  std::vector<Impulse> found;
+  Report report;
+  if (ranks_.ranks.rank() == 0) report = solve(gathered, found);
   impulses = data_.exchange(reverse(plan), found);
   wait_mpi([&] { return MPI_Bcast(&report, sizeof(report), MPI_BYTE, 0, ranks_.ranks.handle()); }, "MPI_Bcast");
   return report;
+}
+
+CoupledReport RowExchange::solve_together(const std::vector<CoupledRow>& rows, double dt,
+                                          std::vector<RowImpulse>& impulses) {
+  if (!has_many_ranks_) return solve_in_key_order(rows, dt, impulses);
+  return solve_on_first_rank<CoupledReport>(
+      rows, impulses, [dt](const auto& gathered, auto& found) { return solve_in_key_order(gathered, dt, found); });
+}
+
+RigidReport RowExchange::solve_rigid(const RigidRowList& list, const RigidQuery& query,
+                                     std::vector<RigidImpulse>& impulses) {
+  const auto solve = [&](const auto& rows, const std::vector<int>& others, auto& found) {
+    return solve_rigid_rows(rows, others, list.responses, query, found);
+  };
+  if (!has_many_ranks_) return solve(list.rows, list.others, impulses);
+  std::vector<int> others = list.others;
+  others.push_back(static_cast<int>(list.rows.size()));
+  all_reduce(ranks_.ranks, Reduce::sum, others);
+  const bool is_any = others.back() > 0;
+  others.pop_back();
+  if (!is_any) return solve(std::vector<RigidRow>{}, others, impulses);
+  return solve_on_first_rank<RigidReport>(
+      list.rows, impulses, [&](const auto& gathered, auto& found) { return solve(gathered, others, found); });
 }
 
 void RowExchange::reduce(RowOutcome& outcome) {

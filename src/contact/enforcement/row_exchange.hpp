@@ -20,6 +20,7 @@
 #include "kernels/contact/enforcement/coupled_rows.hpp"
 #include "kernels/contact/enforcement/enforcement.hpp"
 #include "kernels/contact/enforcement/force_sums.hpp"
+#include "kernels/contact/enforcement/rigid_rows.hpp"
 #include "src/contact/enforcement/shared_entries.hpp"
 #include "src/contact/surface/contact_ranks.hpp"
 
@@ -88,9 +89,14 @@ class RowExchange {
   /// Gathers the rows of all ranks on the first one, which solves them in the order of their keys.
   CoupledReport solve_together(const std::vector<CoupledRow>& rows, double dt, std::vector<RowImpulse>& impulses);
 
+  /// Gathers the rows between rigid bodies likewise, if there are any.
+  RigidReport solve_rigid(const RigidRowList& list, const RigidQuery& query, std::vector<RigidImpulse>& impulses);
+
   Traffic traffic() const;
 
  private:
+  template <class Report, class Row, class Impulse, class Solve>
+  Report solve_on_first_rank(const std::vector<Row>& rows, std::vector<Impulse>& impulses, const Solve& solve);
   template <class Space>
   void begin_swap(const Space& space, const RowSystem& system) {
     get_sent_shares(space, system, sent_values_);
