@@ -213,6 +213,20 @@ KOKKOS_INLINE_FUNCTION bool has_just_crossed(const MovingPair& pair, const EdgeT
   return before.crosses && gap >= -deepest && (gap >= -crossed || !is_inside(before, contact_limits::end_band));
 }
 
+/// Whether a crossing came to a place on an edge from beyond an end at which one beam goes on. before: a step ago.
+KOKKOS_INLINE_FUNCTION bool has_passed_joint(const EdgeSurface& surface, int edge, double before) {
+  constexpr double band = contact_limits::end_band;
+  return (before < band && find_next_node(surface, edge, 0) >= 0) ||
+         (before > 1 - band && find_next_node(surface, edge, 1) >= 0);
+}
+
+/// Whether a new pair of a beam takes over from the one before along the beam, as deep as that was.
+KOKKOS_INLINE_FUNCTION bool takes_over(const EdgeSurface& surface, int a, int b, const MovingPair& pair) {
+  if (!is_beam(surface, a) && !is_beam(surface, b)) return false;
+  const Crossing before = find_crossing(pair.at(-1), contact_limits::least_sine);
+  return before.crosses && (has_passed_joint(surface, a, before.s) || has_passed_joint(surface, b, before.t));
+}
+
 /// Share of an edge at each end that is left to nodes and faces. Where edges of solids have crossed at n none is: on
 /// edges longer than h their ends are already beside the faces there.
 KOKKOS_INLINE_FUNCTION double find_end_band(bool has_crossed) { return has_crossed ? 0 : contact_limits::end_band; }
@@ -321,7 +335,10 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const CheckedEdges& edges, const Mov
   const double deepest =
       known ? contact_limits::history_depth * h + offset + dip : contact_limits::new_depth * h + cushion;
   const bool may_have_come = !known && reach <= contact_limits::reach_through;
-  if (touch.gap_start < -deepest && !(may_have_come && has_just_crossed(pair, touch, deepest, crossed))) return false;
+  const double held = contact_limits::history_depth * h + offset;
+  if (touch.gap_start < -deepest && !(may_have_come && has_just_crossed(pair, touch, deepest, crossed)) &&
+      !(!known && touch.gap_start >= -held && takes_over(surface, a, b, pair)))
+    return false;
   const double band = find_end_band(!(offset > 0) && touch.gap_start < -find_crossed_depth(surface, a, b) * h);
   return find_place({pair, start, end, offset, dip, band, known, dot(along_cross, end.normal) < 0}, touch);
 }

@@ -24,6 +24,9 @@ inline constexpr double rim_end_band = 0.02;
 /// Beyond its ends a beam is round, as far as this cosine between its axis and the way from there: the next beam of a
 /// line goes on, or lies in between. A free end is round all over for another free end.
 inline constexpr double round_end = 0.7071;
+/// Where one beam goes on, the two are one round bar: the joint pushes square to both, or from outside their bend, but
+/// for this sine.
+inline constexpr double joint_reach = 0.1;
 
 }  // namespace contact_limits
 
@@ -57,6 +60,8 @@ struct EndBeforeRim {
   RimPoint from, to;     // at n and at the end of the step
   Point3 along{};        // from the end to the other end of its edge, at the end of the step
   Point3 rim_along{};    // from one end of the rim to the other, at the end of the step
+  Point3 next{};         // from the end along the only beam that goes on there, at the end of the step; zero: none
+  Point3 rim_next{};     // likewise from the end of the rim that is the closest point
   double offset = 0;     // that both keep by thickness
   double cushion = 0;    // find_beam_cushion()
   bool is_beam_rim = false,
@@ -92,6 +97,27 @@ KOKKOS_INLINE_FUNCTION bool is_before_rim(const EndBeforeRim& e, const EdgeFaces
          dot(push, edge.inward[1]) >= -slack;
 }
 
+/// Turns a push away from a joint, of which `on` goes on, so that it does not push into `on`; false if it does by more
+/// than a little.
+KOKKOS_INLINE_FUNCTION bool turn_from(const Point3& on, Point3& push) {
+  const double square = dot(on, on), along = dot(push, on);
+  if (!(along < 0)) return true;
+  if (along * along > contact_limits::joint_reach * contact_limits::joint_reach * square) return false;
+  push = normalize(push - (along / square) * on);
+  return true;
+}
+
+/// Turns the push of an end so that neither it nor the rim catches by the caps of a joint.
+KOKKOS_INLINE_FUNCTION bool smooth_joints(const EndBeforeRim& e, Point3& push) {
+  const bool has_next = dot(e.next, e.next) > 0, has_rim_next = dot(e.rim_next, e.rim_next) > 0;
+  if (has_next && !(turn_from(e.along, push) && turn_from(e.next, push))) return false;
+  if (!has_rim_next) return true;
+  Point3 back = -push;
+  if (!turn_from(e.rim_next, back)) return false;
+  push = -back;
+  return true;
+}
+
 /// last_push: of the end, if it was in contact. In: touch.size; out: t, normal (push direction of the
 /// end) and gaps.
 KOKKOS_INLINE_FUNCTION bool check_end(const EndBeforeRim& e, const EdgeFaces faces[2], const Point3* last_push,
@@ -103,6 +129,7 @@ KOKKOS_INLINE_FUNCTION bool check_end(const EndBeforeRim& e, const EdgeFaces fac
   Point3 push = normalize(e.to.away);
   const bool has_turned = !(dot(push, before) > 0);  // it would go through the line
   if (has_turned) push = normalize(before);
+  if (!smooth_joints(e, push)) return false;
   const double start = norm(e.from.away);
   touch.gap_start = (dot(e.from.away, push) < 0 ? -start : start) - offset;
   touch.gap_end = dot(e.to.away, push) - offset;
@@ -157,15 +184,26 @@ KOKKOS_INLINE_FUNCTION bool is_near_rim(const EndBeforeRim& e, double shorter, b
   return may_reach(e, contact_limits::history_row_gap * shorter + e.offset);
 }
 
+/// From an end of an edge along the only beam that goes on there, at the end of the step; zero: none does.
+KOKKOS_INLINE_FUNCTION Point3 find_next_along(const EdgeSurface& surface, const SurfaceMotion& motion, int edge,
+                                              int end) {
+  const int next = find_next_node(surface, edge, end), own = surface.ends(edge, end);
+  if (next < 0) return {};
+  return (load_row(motion.x, next) - load_row(motion.x, own)) +
+         motion.dt * (load_row(motion.v, next) - load_row(motion.v, own));
+}
+
 /// End i of a pair, 0 and 1 of A, 2 and 3 of B, before the rim of the other edge.
-KOKKOS_INLINE_FUNCTION EndBeforeRim load_end_of(const EdgeSurface& surface, int a, int b, const EdgePair& from,
-                                                const EdgePair& to, int i) {
+KOKKOS_INLINE_FUNCTION EndBeforeRim load_end_of(const EdgeSurface& surface, const SurfaceMotion& motion, int a, int b,
+                                                const EdgePair& from, const EdgePair& to, int i) {
   const bool is_of_b = i >= 2;
   const int rim = is_of_b ? a : b, edge = is_of_b ? b : a;
   EndBeforeRim e = load_end(from, to, is_of_b, i % 2);
   e.offset = find_edge_offset(surface, a) + find_edge_offset(surface, b);
   e.cushion = find_beam_cushion(surface, a, b);
   e.is_beam_rim = is_beam(surface, rim);
+  e.next = find_next_along(surface, motion, edge, i % 2);
+  if (e.to.past > 0) e.rim_next = find_next_along(surface, motion, rim, e.to.t < 0.5 ? 0 : 1);
   e.are_free = is_free_end(surface, edge, i % 2) && is_free_end(surface, rim, e.to.t < 0.5 ? 0 : 1);
   return e;
 }
@@ -183,7 +221,7 @@ KOKKOS_INLINE_FUNCTION bool check_rim_pair(const CheckedEdges& p, const MovingPa
   for (int i = 0; i < 4; ++i) {
     const bool is_of_b = i >= 2;
     if (!is_rim_of[is_of_b ? 0 : 1]) continue;
-    const EndBeforeRim e = load_end_of(p.surface, a, b, from, to, i);
+    const EndBeforeRim e = load_end_of(p.surface, p.motion, a, b, from, to, i);
     if (!is_near_rim(e, of_a < of_b ? of_a : of_b, known)) continue;
     if (!has_faces) load_both_faces(p, faces);
     has_faces = true;
@@ -210,7 +248,7 @@ KOKKOS_INLINE_FUNCTION double find_beam_depth(const EdgeSurface& surface, const 
   touch.size = faces[0].size < faces[1].size ? faces[0].size : faces[1].size;
   double depth = 0;
   for (int i = 0; i < 4; ++i) {
-    const EndBeforeRim e = load_end_of(surface, a, b, at, at, i);
+    const EndBeforeRim e = load_end_of(surface, motion, a, b, at, at, i);
     const double distance = norm(e.to.away);
     if (!e.is_beam_rim || !(distance > 0) || e.offset - distance <= depth || !is_near_rim(e, touch.size, false))
       continue;

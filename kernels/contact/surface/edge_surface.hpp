@@ -27,7 +27,8 @@ struct EdgeSurface {
   Array<const std::int64_t> numbers;   // [edges] ascending
   Rows2<const int> ends;               // [edges][2] rows of the motion, lower node number first
   Rows4<const int> wings;              // [edges][4] rows: corners of the first face, then of the second, that lie next
-                                       // to end 0 and next to end 1; of a beam is_beam() and is_free_end()
+                                       // to end 0 and next to end 1; of a beam is_beam(), is_free_end() and
+                                       // find_next_node()
   Rows2<const std::int64_t> elements;  // [edges][2] numbers of the elements behind the two faces
   Array<const int> edge_class;         // [edges] which of the named surfaces it lies on, as a class
   int num_classes = 1;
@@ -72,6 +73,13 @@ KOKKOS_INLINE_FUNCTION bool is_free_end(const EdgeSurface& surface, int edge, in
   return is_beam(surface, edge) && surface.wings(edge, 2 + end) == surface.ends(edge, 1 - end);
 }
 
+/// The other end of the only beam that continues an edge at an end, -1 if there is none: its second wing there.
+KOKKOS_INLINE_FUNCTION int find_next_node(const EdgeSurface& surface, int edge, int end) {
+  const int wing = surface.wings(edge, 2 + end);
+  const bool is_own = wing == surface.ends(edge, 0) || wing == surface.ends(edge, 1);
+  return is_beam(surface, edge) && !is_own ? wing : -1;
+}
+
 /// Whether two edges touch only once they have crossed.
 KOKKOS_INLINE_FUNCTION bool is_blunt_pair(const EdgeSurface& surface, int a, int b) {
   return surface.is_blunt.extent(0) > 0 && (surface.is_blunt(a) != 0 || surface.is_blunt(b) != 0);
@@ -111,14 +119,20 @@ KOKKOS_INLINE_FUNCTION int find_edge_node(const EdgeSurface& surface, int edge, 
   return k < 2 ? surface.ends(edge, k) : surface.wings(edge, k - 2);
 }
 
+/// Nodes of an edge and its faces; a beam has its ends alone.
+KOKKOS_INLINE_FUNCTION int count_edge_nodes(const EdgeSurface& surface, int edge) {
+  return is_beam(surface, edge) ? 2 : 6;
+}
+
 /// Whether two edges belong to one element, or their faces have a node in common: they cannot meet before elements
 /// between them fold.
 KOKKOS_INLINE_FUNCTION bool are_joined(const EdgeSurface& surface, int a, int b) {
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j)
       if (surface.elements(a, i) == surface.elements(b, j)) return true;
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
+  const int of_a = count_edge_nodes(surface, a), of_b = count_edge_nodes(surface, b);
+  for (int i = 0; i < of_a; ++i)
+    for (int j = 0; j < of_b; ++j)
       if (find_edge_node(surface, a, i) == find_edge_node(surface, b, j)) return true;
   return false;
 }

@@ -117,7 +117,7 @@ void list_beams(const ChunkedMesh& chunked, const Deck& deck, const std::vector<
     const int own = notice.face.surface_class;
     share.beams.push_back({beam.edge, {own, own}, beam.part, beam.length});
   }
-  mark_free_ends(chunked.numbering, ranks, share.beams);
+  mark_beam_ends(chunked.numbering, ranks, share.beams);
 }
 
 /// Notifies the owner of every corner of each face of this rank, and of particles and beams. Returns the notices of

@@ -20,7 +20,7 @@ struct EdgeTopology {
   std::int64_t number = -1;    // 128 * number of its lower node + place among that node's edges
   std::int64_t ends[2]{};      // node numbers, ascending
   std::int64_t wings[4]{};     // corners of the first face, then of the second, next to end 0 and next to end 1; of a
-                               // beam its ends, and again, where an end is free the other one
+                               // beam its ends, then mark_beam_ends()
   std::int64_t elements[2]{};  // numbers of the elements behind the faces
   int surface_class = 0;       // which of the named surfaces it lies on, as a class
   int home = 0;                // rank that has the first face's element: it remembers the edge's contacts

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <span>
+#include <tuple>
 
 #include "comm/exchange/item_exchange.hpp"
 #include "src/deck/contact/contact_springs.hpp"
@@ -15,13 +16,16 @@
 namespace percuss {
 namespace {
 
-/// An end of a beam on its way to the owner of its node, and back if it is free.
+/// An end of a beam on its way to the owner of its node, and back with what is there.
 struct BeamEnd {
-  std::int64_t node = 0;
+  std::int64_t node = 0, other = 0;  // it, and the other end of the beam
+  std::int64_t wing = 0;             // EdgeTopology::wings
   int rank = 0;
 };
 
-bool is_before_end(const BeamEnd& a, const BeamEnd& b) { return a.node != b.node ? a.node < b.node : a.rank < b.rank; }
+bool is_before_end(const BeamEnd& a, const BeamEnd& b) {
+  return std::tie(a.node, a.other, a.rank) < std::tie(b.node, b.other, b.rank);
+}
 
 /// Whether beams of a part touch: all where all surfaces do, else those of parts that a pair names; none in solids.
 bool may_touch(const Mesh& mesh, const Deck& deck, const std::string& part) {
@@ -102,32 +106,40 @@ std::vector<TouchingBeam> list_touching_beams(const ChunkedMesh& chunked, const 
   return beams;
 }
 
-void mark_free_ends(const Numbering& numbering, const Communicator& ranks, std::vector<FoundEdge>& beams) {
+void mark_beam_ends(const Numbering& numbering, const Communicator& ranks, std::vector<FoundEdge>& beams) {
   std::vector<BeamEnd> sent;
   std::vector<int> to;
-  for (const FoundEdge& beam : beams)
-    for (const std::int64_t end : beam.edge.ends) {
-      sent.push_back({end, ranks.rank()});
-      to.push_back(numbering.find_node_owner(end));
+  for (const FoundEdge& beam : beams) {
+    const auto& ends = beam.edge.ends;
+    for (std::size_t i = 0; i < 2; ++i) {
+      sent.push_back({ends[i], ends[1 - i], ends[i], ranks.rank()});
+      to.push_back(numbering.find_node_owner(ends[i]));
     }
+  }
   std::vector<BeamEnd> ends = ItemExchange(ranks).send(to, sent);
   std::sort(ends.begin(), ends.end(), is_before_end);
   sent.clear();
   to.clear();
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    const bool is_alone =
-        (i == 0 || ends[i - 1].node != ends[i].node) && (i + 1 == ends.size() || ends[i + 1].node != ends[i].node);
-    if (!is_alone) continue;
-    sent.push_back(ends[i]);
-    to.push_back(ends[i].rank);
+  for (std::size_t first = 0, last = 0; first < ends.size(); first = last) {
+    while (last < ends.size() && ends[last].node == ends[first].node) ++last;
+    if (last - first > 2) continue;
+    for (std::size_t i = first; i < last; ++i) {
+      ends[i].wing = ends[last - first == 1 ? i : first + last - 1 - i].other;
+      // Two beams between the same nodes end there like several.
+      if (last - first == 2 && ends[i].wing == ends[i].other) ends[i].wing = ends[i].node;
+      sent.push_back(ends[i]);
+      to.push_back(ends[i].rank);
+    }
   }
-  std::vector<BeamEnd> free = ItemExchange(ranks).send(to, sent);
-  std::sort(free.begin(), free.end(), is_before_end);
+  std::vector<BeamEnd> marked = ItemExchange(ranks).send(to, sent);
+  std::sort(marked.begin(), marked.end(), is_before_end);
   for (FoundEdge& beam : beams) {
     EdgeTopology& edge = beam.edge;
-    for (std::size_t i = 0; i < 2; ++i)
-      if (std::binary_search(free.begin(), free.end(), BeamEnd{edge.ends[i], ranks.rank()}, is_before_end))
-        edge.wings[2 + i] = edge.ends[1 - i];
+    for (std::size_t i = 0; i < 2; ++i) {
+      const BeamEnd end{edge.ends[i], edge.ends[1 - i], 0, ranks.rank()};
+      const auto found = std::lower_bound(marked.begin(), marked.end(), end, is_before_end);
+      if (found != marked.end() && !is_before_end(end, *found)) edge.wings[2 + i] = found->wing;
+    }
   }
 }
 
