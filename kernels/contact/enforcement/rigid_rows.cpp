@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
+#include "kernels/contact/enforcement/anderson.hpp"
 #include "kernels/contact/enforcement/cone_row.hpp"
 #include "kernels/core/host_copy.hpp"
 
@@ -28,6 +30,16 @@ struct IslandRow {
   double t11 = 0, t12 = 0, t21 = 0, t22 = 0;     // that block
   double b[3] = {0, 0, 0};                       // velocities to be closed
   double p[3] = {0, 0, 0};                       // impulses
+  RowStatus status = is_apart;
+
+  /// Whether the row does something else than at the last call.
+  bool update_status() {
+    constexpr double inside = 1 - 1e-9;  // share of Coulomb's limit below which friction was not shortened
+    const double limit = inside * row->friction * p[0], square = p[1] * p[1] + p[2] * p[2];
+    const RowStatus last = status;
+    status = !(p[0] > 0) ? is_apart : count == 1 || square < limit * limit ? sticks : slides;
+    return status != last;
+  }
 
   const Wrench& seen(int d, int k) const { return d == 0 ? row->gap[k] : row->push[d][k]; }
 
@@ -58,19 +70,19 @@ class Island {
 
   /// Meets the rows until none changes by more than `enough` [velocity].
   RigidReport solve(double enough) {
-    constexpr int max_sweeps = 1000;
+    constexpr int max_sweeps = 1000, plain_sweeps = 8;
     RigidReport report;
-    std::vector<double> before, direction(3 * rows_.size(), 0.0);
-    double last_square = std::numeric_limits<double>::infinity();
+    double last_move = std::numeric_limits<double>::infinity();
     while (report.sweeps < max_sweeps) {
-      store(before);
+      const bool is_accelerated = report.sweeps >= plain_sweeps;
+      if (is_accelerated) prepare_window();
       ++report.sweeps;
       double most = 0;
       for (IslandRow& row : rows_) most = std::max(most, meet(row));
       if (most <= enough) return report;
       ++report.sweeps;
       for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) meet(*row);
-      go_on(before, direction, last_square);
+      if (is_accelerated) last_move = accelerate(last_move);
     }
     report.converged = 0;
     return report;
@@ -163,34 +175,62 @@ class Island {
     return std::sqrt(change[0] * change[0] + change[1] * change[1]) * row.tangential;
   }
 
-  void store(std::vector<double>& p) const {
-    p.clear();
-    for (const IslandRow& row : rows_) p.insert(p.end(), row.p, row.p + 3);
+  /// The impulses of all rows as one vector on the host.
+  void store(const HostMirror<Array<double>>& p) const {
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      for (std::size_t d = 0; d < 3; ++d) p(3 * i + d) = rows_[i].p[d];
   }
 
-  /// Goes on along the direction of the sweeps, unless they changed more than those before.
-  void go_on(const std::vector<double>& before, std::vector<double>& direction, double& last_square) {
-    double square = 0;
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-      for (std::size_t d = 0; d < 3; ++d) {
-        const double change = rows_[i].p[d] - before[3 * i + d];
-        square += (d == 0 ? rows_[i].normal : rows_[i].tangential) * change * change;
-      }
-    const double beta = square < last_square ? square / last_square : 0;
-    last_square = square;
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-      for (int d = 0; d < rows_[i].count; ++d) {
-        const std::size_t k = 3 * i + at(d);
-        const double step = beta * direction[k];
-        direction[k] = step + (rows_[i].p[d] - before[k]);
-        push(rows_[i], d, step);
-        rows_[i].p[d] += step;
-      }
+  /// Notes where the sweeps begin.
+  void prepare_window() {
+    const std::size_t n = 3 * rows_.size();
+    if (!window_) {
+      std::vector<double> weight;
+      for (const IslandRow& row : rows_) weight.insert(weight.end(), {row.normal, row.tangential, row.tangential});
+      window_.emplace(static_cast<int>(n), to_view("contact::rigid_weight", weight));
+      before_ = Array<double>("contact::rigid_before", n);
+      after_ = Array<double>("contact::rigid_after", n);
+      on_host_ = Kokkos::create_mirror_view(after_);
+    }
+    store(on_host_);
+    Kokkos::deep_copy(before_, on_host_);
+  }
+
+  /// Goes from the end of the sweeps to the accelerated point, unless a row does something else than before or they
+  /// move by more than too_far times `last_move`. Returns by how much they move.
+  double accelerate(double last_move) {
+    constexpr double too_far = 2;
+    bool has_changed = false;
+    for (IslandRow& row : rows_) has_changed = row.update_status() || has_changed;
+    if (has_changed) window_->clear();
+    store(on_host_);
+    Kokkos::deep_copy(after_, on_host_);
+    const double move = window_->accelerate(before_, after_);
+    if (move > too_far * last_move) {
+      window_->clear();
+      return move;
+    }
+    Kokkos::deep_copy(on_host_, after_);
+    for (std::size_t i = 0; i < rows_.size(); ++i) go_to(&on_host_(3 * i), rows_[i]);
+    return move;
+  }
+
+  /// Gives a row impulses, as far as they are within its cone.
+  void go_to(const double* impulses, IslandRow& row) {
+    double p[3] = {std::max(0.0, impulses[0]), impulses[1], impulses[2]};
+    project_on_disc(row.row->friction * p[0], p[1], p[2]);
+    for (int d = 0; d < row.count; ++d) {
+      push(row, d, p[d] - row.p[d]);
+      row.p[d] = p[d];
+    }
   }
 
   std::vector<int> bodies_;  // ascending
   std::vector<BodyChange> velocity_;
   std::vector<IslandRow> rows_;
+  std::optional<AndersonWindow> window_;
+  Array<double> before_, after_;  // [3 rows] the sweeps
+  HostMirror<Array<double>> on_host_;
 };
 
 /// The lowest body of the island of each, as rows join them.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -326,6 +327,35 @@ TEST(BeamContact, BeamsPassWhereNothingAsksForTheirContact) {
   text.replace(text.find(", beams: true"), 13, "");
   const HistoryTable h = run_deck(text).history;
   EXPECT_NEAR(h.last("n_z") - h.last("m_z"), 0.0101 - 8 * 2e-4, 1e-9);
+}
+
+// A bar is drawn across a straight one, over its nodes, under a load that its nodes share. Friction is mu times the
+// push in each step, whatever the depth: where nodes move as one, a push on some of them sinks in.
+TEST(BeamContact, ABarIsNotCaughtByTheNodesThatItPasses) {
+  for (const char* const enforcement : {"kinematic", "penalty"}) {
+    const HistoryTable h = run_deck(fmt::format(R"yaml(
+time: {{end: 0.02}}
+parts:
+  a: {{line: {{from: [-0.2, 0, 0], to: [0.2, 0, 0], cells: 20}}, section: {{round: {{radius: 0.005}}}}, material: m}}
+  b: {{line: {{from: [-0.05, -0.1, 0.01], to: [-0.05, 0.1, 0.01], cells: 9}}, section: {{round: {{radius: 0.005}}}}, material: m}}
+materials: {{m: {{model: elastic, density: 7850, youngs_modulus: 2e9, poissons_ratio: 0.3}}}}
+contact: {{surfaces: all, beams: true, friction: 0.3, enforcement: {}}}
+conditions:
+- {{nodes: a, fixed: [x, y, z, rx, ry, rz]}}
+- {{nodes: b, velocity: {{x: {{table: [[0, 0], [0.002, 3], [1, 3]]}}, y: 0, rx: 0, ry: 0, rz: 0}}}}
+loads: {{nodal: [{{nodes: b, force: {{z: -5}}}}]}}
+constraints: {{k: {{nodes: b, equal: [z]}}}}
+output: {{history: {{every: 0, forces: [{{name: f, contact: [b, a]}}]}}}}
+)yaml",
+                                                enforcement))
+                               .history;
+    double worst = 0;
+    for (std::size_t i = 0; i < h.rows(); ++i)
+      if (h["time"][i] > 3e-3 && std::abs(h["fz:f"][i]) > 5)
+        worst = std::max(worst, std::abs(std::abs(h["fx:f"][i] / h["fz:f"][i]) - 0.3));
+    EXPECT_LT(worst, 0.01) << enforcement;
+    EXPECT_NEAR(h.last("fz:f"), 50, 25) << enforcement;  // it still lies on the other
+  }
 }
 
 }  // namespace percuss::test::beam_contact_test
