@@ -129,8 +129,10 @@ KOKKOS_INLINE_FUNCTION bool check_end(const EndBeforeRim& e, const EdgeFaces fac
   Point3 push = normalize(e.to.away);
   const bool has_turned = !(dot(push, before) > 0);  // it would go through the line
   if (has_turned) push = normalize(before);
+  const Point3 round = push;
   if (!smooth_joints(e, push)) return false;
-  const double start = norm(e.from.away);
+  const bool is_smoothed = round.x != push.x || round.y != push.y || round.z != push.z;
+  const double start = is_smoothed ? std::fabs(dot(e.from.away, push)) : norm(e.from.away);
   touch.gap_start = (dot(e.from.away, push) < 0 ? -start : start) - offset;
   touch.gap_end = dot(e.to.away, push) - offset;
   touch.t = has_turned ? e.from.t : e.to.t;
@@ -194,16 +196,18 @@ KOKKOS_INLINE_FUNCTION Point3 find_next_along(const EdgeSurface& surface, const 
 }
 
 /// End i of a pair, 0 and 1 of A, 2 and 3 of B, before the rim of the other edge.
-KOKKOS_INLINE_FUNCTION EndBeforeRim load_end_of(const EdgeSurface& surface, const SurfaceMotion& motion, int a, int b,
-                                                const EdgePair& from, const EdgePair& to, int i) {
+KOKKOS_INLINE_FUNCTION EndBeforeRim load_end_of(const CheckedEdges& p, const EdgePair& from, const EdgePair& to,
+                                                int i) {
+  const EdgeSurface& surface = p.surface;
+  const auto& [a, b] = p.edge;
   const bool is_of_b = i >= 2;
   const int rim = is_of_b ? a : b, edge = is_of_b ? b : a;
   EndBeforeRim e = load_end(from, to, is_of_b, i % 2);
   e.offset = find_edge_offset(surface, a) + find_edge_offset(surface, b);
   e.cushion = find_beam_cushion(surface, a, b);
   e.is_beam_rim = is_beam(surface, rim);
-  e.next = find_next_along(surface, motion, edge, i % 2);
-  if (e.to.past > 0) e.rim_next = find_next_along(surface, motion, rim, e.to.t < 0.5 ? 0 : 1);
+  e.next = find_next_along(surface, p.motion, edge, i % 2);
+  if (e.to.past > 0) e.rim_next = find_next_along(surface, p.motion, rim, e.to.t < 0.5 ? 0 : 1);
   e.are_free = is_free_end(surface, edge, i % 2) && is_free_end(surface, rim, e.to.t < 0.5 ? 0 : 1);
   return e;
 }
@@ -221,7 +225,7 @@ KOKKOS_INLINE_FUNCTION bool check_rim_pair(const CheckedEdges& p, const MovingPa
   for (int i = 0; i < 4; ++i) {
     const bool is_of_b = i >= 2;
     if (!is_rim_of[is_of_b ? 0 : 1]) continue;
-    const EndBeforeRim e = load_end_of(p.surface, p.motion, a, b, from, to, i);
+    const EndBeforeRim e = load_end_of(p, from, to, i);
     if (!is_near_rim(e, of_a < of_b ? of_a : of_b, known)) continue;
     if (!has_faces) load_both_faces(p, faces);
     has_faces = true;
@@ -243,12 +247,14 @@ KOKKOS_INLINE_FUNCTION double find_beam_depth(const EdgeSurface& surface, const 
                                               EdgeTouch& touch) {
   if (!is_beam(surface, a) && !is_beam(surface, b)) return 0;
   const EdgePair at = load_moving_pair(surface, motion, a, b).start;
+  const Array<EdgeFaces> none;
+  const CheckedEdges checked{surface, motion, none, {a, b}, nullptr};
   EdgeFaces faces[2];
-  load_both_faces({surface, motion, Array<EdgeFaces>(), {a, b}, nullptr}, faces);
+  load_both_faces(checked, faces);
   touch.size = faces[0].size < faces[1].size ? faces[0].size : faces[1].size;
   double depth = 0;
   for (int i = 0; i < 4; ++i) {
-    const EndBeforeRim e = load_end_of(surface, motion, a, b, at, at, i);
+    const EndBeforeRim e = load_end_of(checked, at, at, i);
     const double distance = norm(e.to.away);
     if (!e.is_beam_rim || !(distance > 0) || e.offset - distance <= depth || !is_near_rim(e, touch.size, false))
       continue;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <span>
 
 #include "kernels/contact/enforcement/anderson.hpp"
 #include "kernels/contact/enforcement/cone_row.hpp"
@@ -251,27 +252,27 @@ class BodyIslands {
   std::vector<int> parent_;
 };
 
-/// Solves one island, whose rows are those of `order` from `first` to `last`; adds to the report.
-void solve_island(const std::vector<RigidRow>& rows, const int* first, const int* last,
+/// Solves the island that has these rows, in their order; adds to the report.
+void solve_island(const std::vector<RigidRow>& rows, std::span<const int> members,
                   const std::vector<BodyResponse>& responses, const RigidQuery& query,
                   std::vector<RigidImpulse>& impulses, RigidReport& report) {
   std::vector<const RigidRow*> chosen;
   double deepest = 0, smallest = std::numeric_limits<double>::infinity();
   bool is_asked = false;
-  for (const int* r = first; r != last; ++r) {
-    const RigidRow& row = rows[at(*r)];
+  for (const int r : members) {
+    const RigidRow& row = rows[at(r)];
     chosen.push_back(&row);
     deepest = std::max(deepest, -row.missing);
     smallest = std::min(smallest, row.size);
     is_asked = is_asked || row.missing < 0 || row.guess.normal > 0;
-    impulses[at(*r)].is_solved = 1;
+    impulses[at(r)].is_solved = 1;
   }
   if (!is_asked) return;  // no impulse is the solution
   Island island(chosen, responses, query.dt);
   const RigidReport solved = island.solve(std::max(query.tolerance * deepest, query.least * smallest) / query.dt);
   report.sweeps = std::max(report.sweeps, solved.sweeps);
   report.converged = std::min(report.converged, solved.converged);
-  for (const int* r = first; r != last; ++r) island.get(static_cast<std::size_t>(r - first), impulses[at(*r)].impulse);
+  for (std::size_t i = 0; i < members.size(); ++i) island.get(i, impulses[at(members[i])].impulse);
 }
 
 /// The rigid bodies that a row touches.
@@ -289,35 +290,38 @@ struct TouchedBodies {
   }
 };
 
-/// What a unit impulse along d is to the bodies that a row touches.
-template <class Places, class Rows>
-void add_wrenches(const ContactRow& row, const Point3& d, const TouchedBodies& bodies, const Places& of_place,
-                  const Rows& x, const std::vector<BodyResponse>& responses, Wrench* sums) {
-  const Point3 couple = find_couple(row, d);
-  for (int slot = 0; slot < count_nodes(row); ++slot) {
-    const int body = of_place(row.place[slot]);
-    const Point3 arm = load_row(x, row.place[slot]) - responses[at(body)].center;
-    Wrench& sum = sums[bodies.find(body)];
-    sum = add(sum, find_wrench(arm, spread_impulse(row, slot, d, couple)));
-  }
-}
+/// The places of rows that are of bodies.
+template <class OfPlace, class Rows>
+struct BodyPlaces {
+  OfPlace of_place;
+  Rows x;
+  const std::vector<BodyResponse>& responses;
 
-template <class Places, class Rows>
-RigidRow make_rigid_row(const ContactRow& row, const TouchedBodies& bodies, const Places& of_place, const Rows& x,
-                        const std::vector<BodyResponse>& responses) {
-  RigidRow rigid;
-  rigid.key = row.key;
-  std::copy(bodies.body, bodies.body + bodies.count, rigid.body);
-  for (int d = 0; d < count_directions(row); ++d)
-    add_wrenches(row, get_direction(row, d), bodies, of_place, x, responses, rigid.push[d]);
-  add_wrenches(row, row.gap_gradient, bodies, of_place, x, responses, rigid.gap);
-  rigid.missing = row.gap - row.target;
-  std::copy(row.slide, row.slide + 2, rigid.slide);
-  rigid.friction = row.friction;
-  rigid.size = row.size;
-  rigid.guess = row.impulse;
-  return rigid;
-}
+  /// What a unit impulse along d is to the bodies that a row touches.
+  void add_wrenches(const ContactRow& row, const Point3& d, const TouchedBodies& bodies, Wrench* sums) const {
+    const Point3 couple = find_couple(row, d);
+    for (int slot = 0; slot < count_nodes(row); ++slot) {
+      const int body = of_place(row.place[slot]);
+      const Point3 arm = load_row(x, row.place[slot]) - responses[at(body)].center;
+      Wrench& sum = sums[bodies.find(body)];
+      sum = add(sum, find_wrench(arm, spread_impulse(row, slot, d, couple)));
+    }
+  }
+
+  RigidRow make_row(const ContactRow& row, const TouchedBodies& bodies) const {
+    RigidRow rigid;
+    rigid.key = row.key;
+    std::copy(bodies.body, bodies.body + bodies.count, rigid.body);
+    for (int d = 0; d < count_directions(row); ++d) add_wrenches(row, get_direction(row, d), bodies, rigid.push[d]);
+    add_wrenches(row, row.gap_gradient, bodies, rigid.gap);
+    rigid.missing = row.gap - row.target;
+    std::copy(row.slide, row.slide + 2, rigid.slide);
+    rigid.friction = row.friction;
+    rigid.size = row.size;
+    rigid.guess = row.impulse;
+    return rigid;
+  }
+};
 
 }  // namespace
 
@@ -347,7 +351,7 @@ RigidReport solve_rigid_rows(const std::vector<RigidRow>& rows, const std::vecto
     if (is_shared[at(root)] != 0)
       is_all = false;
     else
-      solve_island(rows, order.data() + first, order.data() + last, responses, query, impulses, report);
+      solve_island(rows, std::span(order).subspan(first, last - first), responses, query, impulses, report);
   }
   report.is_all = is_all ? 1 : 0;
   return report;
@@ -361,6 +365,7 @@ RigidRowList list_rigid_rows(const RowSystem& system) {
   RigidRowList list;
   const std::size_t num_bodies = at(system.bodies.count());
   list.responses.assign(responses.data(), responses.data() + num_bodies);
+  const BodyPlaces<decltype(of_place), decltype(x)> places{of_place, x, list.responses};
   list.others.assign(num_bodies + 2, 0);
   list.others.back() = system.num_rows;
   for (int r = 0; r < system.num_rows; ++r) {
@@ -373,7 +378,7 @@ RigidRowList list_rigid_rows(const RowSystem& system) {
       if (!(row.spring > 0)) ++list.others[num_bodies];
       continue;
     }
-    list.rows.push_back(make_rigid_row(row, bodies, of_place, x, list.responses));
+    list.rows.push_back(places.make_row(row, bodies));
     list.index.push_back(r);
   }
   return list;
