@@ -44,6 +44,7 @@ const std::vector<CheckRule>& check_rules() {
       {"hardening_modulus", check_hardening},
       {"failure_strain", check_failure_strain},
       {"viscosity", check_viscosity},
+      {"fluid_hourglass", check_fluid_hourglass, Needs::mesh},
       {"no_viscosity", check_no_viscosity, Needs::start},
       {"mass_scaling", check_mass_scaling},
       {"idle_mass_scaling", check_idle_mass_scaling, Needs::start},

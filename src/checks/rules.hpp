@@ -54,6 +54,7 @@ std::vector<Warning> check_yield_stress(const CheckedScene& scene);
 std::vector<Warning> check_hardening(const CheckedScene& scene);
 std::vector<Warning> check_failure_strain(const CheckedScene& scene);
 std::vector<Warning> check_viscosity(const CheckedScene& scene);
+std::vector<Warning> check_fluid_hourglass(const CheckedScene& scene);
 std::vector<Warning> check_shell_points(const CheckedScene& scene);
 std::vector<Warning> check_no_viscosity(const CheckedScene& scene);
 std::vector<Warning> check_mass_scaling(const CheckedScene& scene);

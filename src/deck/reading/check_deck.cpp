@@ -10,7 +10,6 @@
 #include "src/deck/connections/joint_keys.hpp"
 #include "src/deck/connections/turn_spring_keys.hpp"
 #include "src/deck/keys/values.hpp"
-#include "src/deck/laws/law_traits.hpp"
 #include "src/deck/loads/node_values.hpp"
 #include "src/deck/loads/sensor_keys.hpp"
 #include "src/deck/loads/start_keys.hpp"
@@ -188,32 +187,6 @@ void check_estimate(const Deck& deck, const Node& root, Reading& reading) {
   }
 }
 
-/// One point needs hourglass control, which except for `viscous` holds a fluid in its shape. Who names it, knows.
-void check_fluids(const Deck& deck, const Node& root, Reading& reading) {
-  const Node* elements = root.find("elements");
-  if (elements != nullptr && (elements->find("hourglass") != nullptr || elements->find("integration") != nullptr)) {
-    return;
-  }
-  const auto is_cut_into_tetrahedra = [](const PartDeck& part) {  // which have no hourglass modes
-    using Elements = PartDeck::Elements;
-    return part.elements == Elements::tetrahedra || part.elements == Elements::six_tetrahedra ||
-           part.elements == Elements::five_tetrahedra;
-  };
-  const auto takes_default = [&](const PartDeck& part) {
-    return !part.own_elements.hourglass && !part.own_elements.integration && !is_cut_into_tetrahedra(part);
-  };
-  for (const MaterialDeck& material : deck.materials) {
-    if (!find_traits(material).needs_equation_of_state) continue;
-    if (std::none_of(deck.parts.begin(), deck.parts.end(),
-                     [&](const PartDeck& part) { return part.material == material.name && takes_default(part); }))
-      continue;
-    reading.errors.warn(root.find("materials")->find(material.name)->key, "fluid_hourglass",
-                        fmt::format("material '{}' is a fluid (the default elements.hourglass makes it resist shear "
-                                    "with 1 % of its bulk modulus): for flows set elements: {{hourglass: viscous}}",
-                                    material.name));
-  }
-}
-
 /// Settings of contact that nothing reads as the others stand: accepted, for a switch may come and go by --set.
 void check_idle_contact(const Deck& deck, const Node& root, Reading& reading) {
   using Enforcement = ContactDeck::Enforcement;
@@ -301,7 +274,6 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_curves(deck, reading);
   check_estimate(deck, root, reading);
   check_element_settings(deck, root, reading);
-  check_fluids(deck, root, reading);
   check_idle_contact(deck, root, reading);
   check_walls(deck, root, reading);
   check_fields(deck, root, reading);
