@@ -3,6 +3,7 @@
 #include "src/step/constraints/constraint_stage.hpp"
 #include "src/step/damping/damping_stage.hpp"
 #include "src/step/embedded/embedded_stage.hpp"
+#include "src/step/fluids/fluid_stage.hpp"
 #include "src/step/forces/accelerometers.hpp"
 #include "src/step/forces/wall_motions.hpp"
 #include "src/step/glue/glue_stage.hpp"
@@ -45,6 +46,7 @@ Actions make_actions(const Deck& deck, const ChunkedMesh& chunked, const Model& 
   if (model.welds.any()) add(std::make_unique<WeldStage>(model));
   if (model.constraints.any()) add(std::make_unique<ConstraintStage>(model));
   if (model.embedded.any()) add(std::make_unique<EmbeddedStage>(chunked, model));
+  if (model.has_fluids) add(std::make_unique<FluidStage>(deck, chunked, model));
   add(std::make_unique<LoadStage>(deck, model));
   if (model.scales_in_run) add(std::make_unique<MassScaler>(deck, chunked, model));
   add(std::make_unique<WallMotions>(deck, contact));

@@ -15,6 +15,7 @@
 #include "src/step/elements/build_shells.hpp"
 #include "src/step/elements/build_tets.hpp"
 #include "src/step/embedded/build_embedded.hpp"
+#include "src/step/fluids/build_fluids.hpp"
 #include "src/step/glue/build_glue.hpp"
 #include "src/step/model/element_blocks.hpp"
 #include "src/step/model/model.hpp"
@@ -108,6 +109,7 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   build_nodal_loads(deck, chunked, slots, model);
   build_springs(deck, chunked, slots, model);
   build_glue(deck, chunked, slots, model);
+  build_fluids(deck, chunked, slots, model);
   build_halo(deck, chunked, slots, model);
   model.start = to_rows("percuss::start", mesh.nodes);
   const std::vector<double> mass = build_masses(deck, chunked, model);

@@ -12,6 +12,7 @@
 #include "comm/communicator.hpp"
 #include "comm/halo/halo_plan.hpp"
 #include "kernels/core/views.hpp"
+#include "kernels/element/centroid_forces.hpp"
 #include "kernels/element/element_chunks.hpp"
 #include "kernels/element/element_lives.hpp"
 #include "kernels/node/conditions.hpp"
@@ -110,8 +111,8 @@ struct Model {
 
   NodeSlots nodes_to_slots;
   HaloPlan halo;
-  int slot_count = 0;  // chunk slots, four a pressure face, one a loaded node, one a node of springs, then those
-                       // received from other ranks
+  int slot_count = 0;  // chunk slots, four a pressure face, one a loaded node, one a node of springs, slots of
+                       // the chunks of fluids once more, then those received from other ranks
 
   NodeRuns owned_nodes;
   Array<std::int64_t> node_numbers;    // [nodes] place in the whole mesh
@@ -153,6 +154,8 @@ struct Model {
   GlueModel glue;
   ConstraintModel constraints;
   EmbeddedModel embedded;
+  bool has_fluids = false;  // whether any rank has hexahedra, wedges or pyramids of fluids
+  FluidChunks fluids;
 
   bool damps_stiffness = false;     // on any rank: one without chunks has the arrays of such damping, too
   Array<double> stiffness_damping;  // [chunks] beta [time], 0: none; empty without damps_stiffness
