@@ -96,25 +96,13 @@ KOKKOS_INLINE_FUNCTION void decide_around(const ContactSurface& surface, const S
   }
 }
 
-/// Weights of the material point that is touched. A face that is moved outward goes on beyond the end of its shell, and
-/// what touches it right over its last corner is not at that corner of the moved face.
-KOKKOS_INLINE_FUNCTION void weigh_material_point(const MovingSurface& moving, const CheckedNode& node, Touch& touch) {
-  const Array<const int>& is_open = moving.surface.offsets.is_open;
-  int open = 0;
-  for (int corner = 0; corner < 4; ++corner) open |= is_open(4 * touch.face + corner);
-  if (open == 0) return;
-  const RelativeFace face = load_relative_face(moving.surface, moving.motion, node.x, node.v, touch.face);
-  const FacePoint point = find_closest_point(touch.is_kept ? face.start : find_end(face));
-  for (int i = 0; i < 4; ++i) touch.weight[i] = point.weight[i];
-}
-
-/// Finds what a touch that is obeyed was accepted without: the gap at n, and weights of the mesh.
+/// Finds the gap at n of a touch that was accepted without it.
 template <Thickness thickness>
-KOKKOS_INLINE_FUNCTION void settle_touch(const MovingSurface& moving, const CheckedNode& node, Touch& touch) {
+KOKKOS_INLINE_FUNCTION void settle_start(const MovingSurface& moving, const CheckedNode& node, Touch& touch) {
+  if (!touch.owes_start) return;
   const double offset =
       thickness == Thickness::of_shells ? find_offset(moving.surface.offsets, node.node, touch.face) : 0;
-  if (touch.owes_start) measure_start(load_touched_face(moving, node.x, node.v, touch.face, offset).start, touch);
-  if (offset > 0) weigh_material_point(moving, node, touch);
+  measure_start(load_touched_face(moving, node.x, node.v, touch.face, offset).start, touch);
 }
 
 /// Whether the face and one that pushed the node in the last step meet in a valley: the node may slide from the one
@@ -145,7 +133,7 @@ KOKKOS_INLINE_FUNCTION bool is_ruled_out(const MovingSurface& moving, const Know
         share_corner(surface, touch.face, other.face) && are_convex(surface, motion, faces, touch.face, other.face);
     if (!is_edge || touch.opposed == other.opposed) continue;
     Touch& lift = touch.opposed ? found.touch[i] : found.touch[j];
-    settle_touch<thickness>(moving, node, lift);
+    settle_start<thickness>(moving, node, lift);
     return (lift.gap_start >= -contact_limits::lift_depth * lift.size) != touch.opposed;
   }
   return touch.beside;
@@ -177,7 +165,7 @@ KOKKOS_INLINE_FUNCTION void accept_touches(const MovingSurface& moving, const Kn
   for (int i = 0; i < found.count && accepted.count < contact_limits::max_touches; ++i) {
     if (decided[i]) continue;
     Touch touch = found.touch[i];
-    settle_touch<thickness>(moving, node, touch);
+    settle_start<thickness>(moving, node, touch);
     claim_record(accepted, touch);
     accepted.touch[accepted.count++] = touch;
     decide_around(moving.surface, moving.motion, moving.faces, found, i, decided);

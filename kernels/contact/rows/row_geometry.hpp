@@ -23,15 +23,12 @@ KOKKOS_INLINE_FUNCTION void hold_row(ContactRow& row) {
 
 /// D of the directions; free: D of the push if no direction of its nodes were held. A row whose nodes are all held
 /// cannot be moved and asks for nothing. Nor does one whose nodes are free only across the push, but for round-off of
-/// its direction: to close a gap they would have to move beyond all bounds. The same holds where the points that touch
-/// are those of held nodes, whatever the couple does to others. touching: the inverse mass of both points that touch,
-/// over the largest of a node.
-KOKKOS_INLINE_FUNCTION void set_stiffness(ContactRow& row, const double stiffness[3], double free, double touching) {
+/// its direction: to close a gap they would have to move beyond all bounds.
+KOKKOS_INLINE_FUNCTION void set_stiffness(ContactRow& row, const double stiffness[3], double free) {
   const auto choose = [](double d) { return d > 0 ? d : 1; };
   row.stiffness = choose(stiffness[0]);
   row.tangential_stiffness = choose(stiffness[1] > stiffness[2] ? stiffness[1] : stiffness[2]);
-  if (!(stiffness[0] > contact_limits::least_freedom * free) || !(touching > contact_limits::least_freedom))
-    hold_row(row);
+  if (!(stiffness[0] > contact_limits::least_freedom * free)) hold_row(row);
 }
 
 /// A vector shortened to `longest`.

@@ -34,23 +34,10 @@ PERCUSS_FLATTEN KOKKOS_FUNCTION void share_coefficients(const RowPack& pack, con
   for (int slot = 0; slot < row_nodes; ++slot) store_share(pack, slot, sum[slot], shares);
 }
 
-/// D of the directions of a pack's rows; free: D of the push if no direction of their nodes were held; touching: as
-/// set_stiffness() takes it.
+/// D of the directions of a pack's rows; free: D of the push if no direction of their nodes were held.
 struct PackedStiffness {
-  LaneValues of[3], free, touching;
+  LaneValues of[3], free;
 };
-
-/// The inverse mass of the points that touch along the push, w: of the nodes, over the largest of these.
-KOKKOS_FORCEINLINE_FUNCTION Packed find_touching(const RowPack& pack, const PackedPoint (&w)[row_nodes]) {
-  const PackedPoint n = load_point(pack.normal);
-  Packed sum(0), largest(0);
-  for (int slot = 0; slot < row_nodes; ++slot) {
-    const Packed weight = load_pack(pack.weight[slot]);
-    sum = sum + weight * weight * ((n.x * n.x * w[slot].x + n.y * n.y * w[slot].y) + n.z * n.z * w[slot].z);
-    largest = larger(largest, find_packed_max(w[slot]));
-  }
-  return sum / select(largest > Packed(0), largest, Packed(1));
-}
 
 PERCUSS_FLATTEN KOKKOS_FUNCTION PackedStiffness sum_stiffness(const RowPack& pack, const Rows3<const double>& sums,
                                                               const Rows3<const double>& inverse_mass) {
@@ -69,9 +56,7 @@ PERCUSS_FLATTEN KOKKOS_FUNCTION PackedStiffness sum_stiffness(const RowPack& pac
     }
     if (pack.turning != 0) stiffness[d] = stiffness[d] + load_pack(pack.own[d]);
   }
-  return {{LaneValues(stiffness[0]), LaneValues(stiffness[1]), LaneValues(stiffness[2])},
-          LaneValues(free),
-          LaneValues(find_touching(pack, w))};
+  return {{LaneValues(stiffness[0]), LaneValues(stiffness[1]), LaneValues(stiffness[2])}, LaneValues(free)};
 }
 
 }  // namespace
@@ -108,7 +93,7 @@ void sum_stiffness(const Space& space, RowSystem& system) {
           if (is_tie(row))
             set_tie_stiffness(row, stiffness);
           else
-            set_stiffness(row, stiffness, found.free[lane], found.touching[lane]);
+            set_stiffness(row, stiffness, found.free[lane]);
           set_state(pack, lane, row);
           wants(pack.row[lane]) = wants_something(row) ? 1 : 0;
         }

@@ -50,7 +50,7 @@ void expect_kept(const Outcome& run) {
 }
 
 /// Two strips, held at the same ends, the upper one at 1 m/s onto the lower one.
-std::string make_strips(const std::string& cells, double ratio, const std::string& contact = "") {
+std::string make_strips(const std::string& cells, double ratio) {
   return fmt::format(R"(
 title: two strips
 units: mm, t, s
@@ -64,10 +64,10 @@ conditions:
   - {{nodes: lower/x_max, fixed: [x, y, z]}}
   - {{nodes: upper/x_min, fixed: [x, y, z]}}
   - {{nodes: upper/x_max, fixed: [x, y, z]}}
-contact: {{surfaces: all, friction: 0{4}}}
+contact: {{surfaces: all, friction: 0}}
 output: {{history: {{every: 5e-5}}}}
 )",
-                     cells, ratio, 0.5 + 0.5 * ratio, materials, contact);
+                     cells, ratio, 0.5 + 0.5 * ratio, materials);
 }
 
 /// Sheets of one mesh, node over node, the lowest one held, under 1 MPa that comes in 0.2 ms.
@@ -105,23 +105,14 @@ TEST(FlushSheets, KeepTheirEnergyOnARigidBody) {
   expect_kept(run_deck(text));
 }
 
-// What a constraint takes where a sheet stops on another one; it gives nothing, though both are held at the same ends.
-TEST(FlushSheets, GainNothingUnderAConstraint) {
-  const KeptEnergy kept = measure(run_deck(make_strips("[40, 8]", 1.5, ", enforcement: kinematic"), {"time.end=5e-4"}));
-  EXPECT_LT(kept.most, 1.001);
-}
-
-// Springs that push along the normals of faces make such a stack flutter: 9 sheets gain half of what presses them.
-TEST(FlushSheets, RestInAStackUnderPressure) {
-  for (const double friction : {0.0, 0.2}) {
-    const Outcome run = run_deck(make_stack(20, friction));
-    const double stored = run.history.last("contact_stored"), kinetic = run.history.last("kinetic");
-    fmt::print("friction {}: stored {:.4g}, kinetic {:.4g}, contact {:.4g}\n", friction, stored, kinetic,
-               run.history.last("contact"));
-    EXPECT_LT(kinetic, 0.05 * stored);
-    EXPECT_LT(run.history.last("contact") + stored, 1e-3 * stored);
-    EXPECT_LT(std::abs(run.summary.energy.error), 1e-3);
-  }
+// Springs that push along the normals of faces make such a stack flutter: its sheets bend, though they lie flat.
+TEST(FlushSheets, StayFlatInAStackUnderPressure) {
+  const Outcome run = run_deck(make_stack(9, 0));
+  const double external = run.history.last("external");
+  const double bending = run.history.largest("internal") + run.history.largest("hourglass");
+  fmt::print("bending {:.3g} of {:.3g}\n", bending, external);
+  EXPECT_LT(bending, 1e-3 * external);
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-3);
 }
 
 }  // namespace percuss::test::flush_sheets_test
