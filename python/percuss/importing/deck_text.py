@@ -160,8 +160,7 @@ def list_start_remarks(deck: Deck) -> list[str]:
 
 def write_deck(model: Model, source: str, mesh_file: str, units: str) -> str:
     """The text of deck.yaml, with every section of the model."""
-    silenced = list_silenced(model)
-    sections = {**model.deck, **({"silence": silenced} if silenced else {}), "parts": make_parts(model, mesh_file), "materials": model.materials}
+    sections: Deck = {**model.deck, "silence": list_silenced(model), "parts": make_parts(model, mesh_file), "materials": model.materials}
     unknown = sorted(set(sections) - set(ORDER))
     if unknown:
         raise RuntimeError(f"the importer has no place in the deck for the section {', '.join(unknown)}")

@@ -315,7 +315,7 @@ def list_supports(deck: KeywordDeck) -> list[Deck]:
             deck.ledger.ignored("DATABASE_SPCFORC.supports", asked["SPCFORC"], text)
     if "BNDOUT" in asked:
         forces += [{"name": "driven", "support": deck.model.add_node_set("driven", driven)}] if driven else []
-        forces += [{"name": f"driven_{body}", "support": nodes} for body in list(bodies)[:MOST_FORCES] if (nodes := name_body_nodes(deck, body))]
+        forces += [{"name": f"driven_{body}", "support": name} for body in list(bodies)[:MOST_FORCES] if (name := name_body_nodes(deck, body))]
         if not driven and not bodies:
             deck.ledger.ignored("DATABASE_BNDOUT.motions", asked["BNDOUT"], "no node and no rigid body is driven")
     return forces
