@@ -96,13 +96,13 @@ class Communicator {
 /// An MPI communicator made for one use and freed with this: its messages never meet those of anybody else.
 class OwnedCommunicator {
  public:
-  /// The same ranks. Collective over them. Throws MpiError.
+  /// A communicator of the same ranks. Collective over them. Throws MpiError.
   static OwnedCommunicator duplicate(const Communicator& ranks);
 
   /// The ranks first <= rank < last of `ranks`, renumbered from 0. Collective over those alone. Throws MpiError.
   static OwnedCommunicator of_range(const Communicator& ranks, int first, int last);
 
-  /// The same ranks in the order of their keys, which differ. Collective over them. Throws MpiError.
+  /// A communicator of the same ranks in the order of their keys, which differ. Collective over them. Throws MpiError.
   static OwnedCommunicator in_order(const Communicator& ranks, int key);
 
   /// The ranks of `ranks` that run on the same machine as this one, in their order. Collective over all. Throws

@@ -1,5 +1,5 @@
 #pragma once
-// Of what ranks find wrong the first one, so that any number of ranks refuses the same thing.
+// The first of the faults that ranks find, so that any number of ranks refuses the same input for the same reason.
 
 #include <cstdint>
 #include <limits>

@@ -31,7 +31,7 @@ class MergeReduction {
   /// value: in, this rank's; out, the merge of all. Collective. Throws MpiError.
   void operator()(const Communicator& ranks, T& value) const { (*this)(ranks, std::span<T>(&value, 1)); }
 
-  /// The same for each of several, as many on every rank, in one message.
+  /// Reduces several values, as many on every rank, in one message.
   void operator()(const Communicator& ranks, std::span<T> values) const {
     const int count = static_cast<int>(values.size());
     wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, values.data(), count, type_, operation_, ranks.handle()); },

@@ -13,7 +13,7 @@
 
 namespace percuss {
 
-/// Which shared nodes are sent and received: an owner sends to every copy. Const after set-up.
+/// Shared nodes that are sent and received: an owner sends to every copy. Const after set-up.
 struct CopyPlan {
   ExchangePlan exchange;           // items are nodes
   std::vector<int> send_nodes;     // [sent] local node of each item

@@ -1,5 +1,5 @@
 #pragma once
-// Which rank gets which part of a dynamic decomposition: the one that has most of its points already.
+// Assigns each part of a dynamic decomposition to the rank that has most of its points already.
 //
 // The bisection numbers its parts by where they lie; a static decomposition numbers its own by what it likes. A part
 // given to the rank that owns most of its points in the other decomposition has them to hand, where messages would

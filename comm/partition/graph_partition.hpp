@@ -32,7 +32,7 @@ struct GraphEdge {
 /// The graph of some edges, ascending by (a, b). costs: [vertices] at least 1.
 Graph build_graph(const std::vector<GraphEdge>& edges, std::vector<int> costs);
 
-/// Which part each vertex belongs to, and how good that is.
+/// The part of each vertex, and the quality of the partition.
 struct Partition {
   std::vector<int> parts;  // [vertices] 0 <= part < the number asked for
   int empty_parts = 0;     // parts without a vertex: there are fewer vertices than parts, and the caller tells its user

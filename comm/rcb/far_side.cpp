@@ -27,7 +27,7 @@ struct RecordType {
 
 /// Places in the group that a rank exchanges points with.
 struct Partners {
-  int to = -1;            // -1: nobody
+  int to = -1;            // -1: no rank
   std::vector<int> from;  // ascending
   bool is_alone = false;  // on its side of the cut
 };

@@ -3,7 +3,7 @@
 //
 // "Each processor sends its points that fall on the far side of the cut to a partner processor in the other group."
 // The lower and the upper rank of the same place in their groups are partners; where the upper side has one rank more,
-// that one sends to the last lower rank and receives from nobody.
+// that one sends to the last lower rank and receives from none.
 
 #include <cstdint>
 #include <vector>

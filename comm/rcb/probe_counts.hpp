@@ -88,7 +88,7 @@ class PointCounter {
   ProbeCounts count(const ExecSpace& space, const AxisPoints& points, int n, const Probes& probes);
   ProbeCounts count(const ExecSpace& space, const CandidateKeys& candidates, int n, const Probes& probes);
 
-  /// Those of the n just counted that are in `bin`, in their order. They stay as they are through one more call.
+  /// The candidates among the n just counted that are in `bin`, in their order. They stay valid through one more call.
   CandidateKeys take_bin(const ExecSpace& space, const AxisPoints& points, int n, int bin);
   CandidateKeys take_bin(const ExecSpace& space, const CandidateKeys& candidates, int n, int bin);
 

@@ -6,7 +6,7 @@
 
 namespace percuss {
 
-/// Which chunks are damped; const after set-up.
+/// Chunks of damped beams; const after set-up.
 struct DampedBeams {
   Array<int> chunks;                                   // ascending chunk ids
   Array<double> beta;                                  // [chunks of the rank, damped or not] [time]

@@ -1,7 +1,7 @@
 #pragma once
 // Fibres of a cross section: points with a normal stress of their own, and weights.
 //
-// Those of rectangles, boxes and I shapes are Gauss points of each half, so that the elastic and the fully plastic
+// Fibres of rectangles, boxes and I shapes are Gauss points of each half, so that the elastic and the fully plastic
 // moments about both axes are exact. Around round sections the latter is within 1.3 %.
 
 #include <cmath>
@@ -37,7 +37,7 @@ struct UnitGauss<3> {
                           weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
 };
 
-/// Those of an interval around 0, N in each half. visit(place, length of a point's share).
+/// Visits the points of an interval around 0, N in each half. visit(place, length of a point's share).
 template <int N, class Visit>
 void visit_halves(double width, const Visit& visit) {
   for (int i = 0; i < N; ++i) {

@@ -72,7 +72,7 @@ struct BeamBody {
     return result;
   }
 
-  /// The same of a section with fibres, which are read and stored too.
+  /// Advances a section with fibres, which are read and stored too.
   KOKKOS_FUNCTION static BeamResult advance_with_fibres(const BeamParameters& parameters, const BeamMotion& motion,
                                                         const LaneRecord<Real>& record, BeamState& now) {
     double fibres[(1 + most_fibre_history) * most_beam_fibres] = {};

@@ -9,7 +9,7 @@ namespace percuss {
 
 using BeamScratch = ChunkScratch<3, 2>;
 
-/// Of an element, within its chunk.
+/// Slots of an element's two nodes within its chunk.
 struct BeamSlots {
   int first, second;
 };

@@ -112,7 +112,7 @@ PERCUSS_FORCE_INLINE void turn_to_rows(const Pack<double> (&packs)[3], double* t
   }
 }
 
-/// The same into records: records[lane] = {packs[0][lane], packs[1][lane], packs[2][lane], 0}.
+/// Transposes into records: records[lane] = {packs[0][lane], packs[1][lane], packs[2][lane], 0}.
 template <int W>
 PERCUSS_FORCE_INLINE void transpose_to_records(const Pack<double> (&packs)[3], double (&records)[W][4]) {
   turn_to_rows(packs, &records[0][0], 4);

@@ -27,7 +27,7 @@ using ExecSpace = Kokkos::DefaultExecutionSpace;
 #if defined(PERCUSS_MEMORY_APART)
 using MemSpace = GuardedSpace;
 #elif defined(PERCUSS_PINNED_MEMORY)
-// Of the host, read by the device too: for tests that look into views.
+// Host memory that the device reads too: for tests that look into views.
 using MemSpace = Kokkos::SharedHostPinnedSpace;
 #elif defined(PERCUSS_BACKEND_CUDA) && !defined(PERCUSS_DEVICE_MEMORY)
 // Moved between host and device as either reads it: the host looks into views between kernels.

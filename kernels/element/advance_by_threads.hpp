@@ -6,7 +6,7 @@
 // round, in the order of elements and of their corners. The sums have the bits of those that the launcher of packs
 // makes (chunk_launcher.hpp). Runs on hosts too, where a test compares both.
 //
-// Not served: chunks that rest are not skipped. Elements neither fail nor resist folding, and nobody watches their
+// Not served: chunks that rest are not skipped. Elements neither fail nor resist folding, and nothing reads their
 // step.
 
 #include <bit>
@@ -92,7 +92,7 @@ class AdvanceByThreads {
     KOKKOS_FUNCTION int count() const { return end - begin; }
   };
 
-  /// Of the elements of a thread.
+  /// Sums over the elements of a thread.
   struct Sums {
     double step = 1e300;
     int controlling = -1, failed = -1;  // counted from the chunk's first element

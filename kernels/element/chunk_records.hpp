@@ -63,7 +63,7 @@ struct TeamChunk {
   KOKKOS_FUNCTION int count_lanes() const { return (count + width - 1) / width * width; }
 
   /// Calls visit(pack) for each pack with elements that live (LivingLanes). records: of the chunk, a pack's `size`
-  /// numbers apart; null: nobody asks.
+  /// numbers apart; null: not used.
   template <class Lives, class Visit>
   PERCUSS_FORCE_INLINE void for_each_pack(Lives& lives, Real* records, int size, const Visit& visit) const {
     const std::uint16_t* all = corners();

@@ -50,7 +50,7 @@ class ChunkRest {
 template <int Largest, class Scalar = Real>
 class RecordWatch {
  public:
-  /// is_on: false: nobody asks, and nothing is compared.
+  /// is_on: if false, changes are not tracked.
   KOKKOS_FUNCTION explicit RecordWatch(bool is_on) : is_on_(is_on) {}
 
   PERCUSS_FORCE_INLINE void keep(const Scalar* record, int size) {

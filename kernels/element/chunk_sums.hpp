@@ -19,7 +19,7 @@ PERCUSS_FORCE_INLINE double sum_lanes(const Pack<Scalar>& value, int lanes) {
   return sum;
 }
 
-/// Of elements one by one. Elements are counted from the chunk's first.
+/// Sums over elements one by one. Elements are counted from the chunk's first.
 struct ChunkTotals {
   double step = beyond_all<double>;
   int controlling = 0, failed = -1;
@@ -45,7 +45,7 @@ struct ChunkTotals {
   }
 };
 
-/// Of packs: smallest steps by lane, which become those of the chunk in the end.
+/// Sums over packs: smallest steps by lane, of which the smallest becomes that of the chunk.
 template <class Scalar>
 class ChunkSums {
  public:

@@ -33,7 +33,7 @@ struct ProbedElement {
   T pressure{T(0)};                                           // largest of a direction, at n
 };
 
-/// Those of the current volume; of a material that yields, those of the start.
+/// Moduli at the current volume; for a material that yields, those of the start.
 template <class T, class Material>
 PERCUSS_FORCE_INLINE Moduli<T> find_probed_moduli(const SolidParameters<Material>& par,
                                                   const ProbedElement<T>& element) {

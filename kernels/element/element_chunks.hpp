@@ -42,7 +42,7 @@ struct ElementChunks {
   }
 };
 
-/// Of the elements of chunk c.
+/// The family of the elements of chunk c.
 KOKKOS_INLINE_FUNCTION ElementFamily find_family(const ElementChunks& chunks, int c) {
   return chunks.family.extent(0) > 0 ? chunks.family(c) : ElementFamily::hexahedra;
 }

@@ -129,7 +129,7 @@ struct FailingChunks {
     return first_pack.extent(0) == 0 ? -1 : first_pack(static_cast<std::size_t>(chunk));
   }
 
-  /// Of element i of a chunk that can fail.
+  /// Limits of element i of a chunk that can fail.
   KOKKOS_INLINE_FUNCTION const FailureLimits& find_limits(int chunk, int i) const {
     const int first = row(chunk);
     return limits(first + (limits(first).of_element ? i : 0));

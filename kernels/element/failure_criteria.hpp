@@ -102,7 +102,7 @@ KOKKOS_INLINE_FUNCTION double find_shear_ratio(const Symmetric3<double>& stress,
   return shear > 0 ? (find_von_mises(stress) - factor * trace(stress) / 3) / shear : far;
 }
 
-/// Of failure strains by a table.
+/// Factor of the failure strain by the strain rate, from a table.
 KOKKOS_INLINE_FUNCTION double find_rate_factor(const FailureLimits& limits, double rate) {
   return limits.rate_factor == nullptr ? 1 : (*limits.rate_factor)(rate).y;
 }

@@ -64,7 +64,7 @@ PERCUSS_NO_INLINE inline void scatter_forces(const Lanes (&f)[3][8], const std::
   }
 }
 
-/// The same of forces by mode, as elements in float leave them: turned to corners and added in double, so that those of
+/// Scatters forces by mode, as elements in float leave them: turned to corners and added in double, so that those of
 /// an element add up to nothing.
 PERCUSS_NO_INLINE inline void scatter_forces(const Pack<float> (&f)[3][8], const std::uint16_t* corners, int lanes,
                                              double* forces) {

@@ -41,7 +41,7 @@ using HexBlocks = AllHexBlocks<CompiledMaterials>::type;
 void advance_elements(const ExecSpace& space, const ElementChunks& chunks, const HexBlocks& blocks,
                       const ElementMotion& motion, const ChunkFields& fields);
 
-/// The same for one variant; compiled in a file for each material.
+/// Advances the elements of one variant; compiled in a file for each material.
 template <class Material, HexKind Kind>
 void advance_block(const ExecSpace& space, const ElementChunks& chunks, const HexBlock<Material, Kind>& block,
                    const ElementMotion& motion, const ChunkFields& fields);

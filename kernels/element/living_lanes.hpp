@@ -38,7 +38,7 @@ PERCUSS_FORCE_INLINE void settle_step(const T& share, T& step, T& size) {
 }
 
 /// The lanes of a chunk, pack by pack from its first, of elements that work in Scalar. Of a chunk that cannot fail all
-/// live, and nothing is read. MayFail: some chunks can; else nobody asks.
+/// live, and nothing is read. MayFail: some chunks can fail.
 template <class Scalar, bool MayFail = true>
 class LivingLanes {
  public:
@@ -83,7 +83,7 @@ class LivingLanes {
   /// Shares of its force that each lane leaves at this evaluation, as far as the last one says; negative: eroded.
   KOKKOS_FUNCTION Lanes load_force_share() const { return load_pack(&lives_->force_share(first_)); }
 
-  /// The same at this evaluation; negative also where the element must stop.
+  /// Shares of the force at this evaluation; negative also where the element must stop.
   KOKKOS_FUNCTION Lanes take_force_share(const Lanes& step, const Lanes& size) const {
     const Lanes zero(0), dead(static_cast<Scalar>(ElementLives::dead));
     Lanes share = load_force_share();
@@ -94,7 +94,7 @@ class LivingLanes {
     return share;
   }
 
-  /// Of a lane by itself: whether it is inactive, and the share of its force that it leaves.
+  /// State of one lane: whether it is inactive, and the share of its force that is left.
   KOKKOS_FUNCTION bool is_dead(int lane) const { return lives_->force_share(first_ + lane) < 0; }
   KOKKOS_FUNCTION double find_force_share(int lane) const {
     return static_cast<double>(lives_->force_share(first_ + lane));

@@ -16,7 +16,7 @@ namespace percuss {
 /// Whose rates the damping of hexahedra takes.
 enum class DampedKind : std::uint8_t { mean, full, thick };
 
-/// Which chunks are damped; const after set-up.
+/// Chunks of damped solids; const after set-up.
 struct DampedSolids {
   Array<int> chunks;         // ascending chunk ids
   Array<double> lambda, mu;  // [chunks of the rank] Lame's constants at the start times beta [pressure x time]
@@ -53,7 +53,7 @@ PERCUSS_FORCE_INLINE void find_mean_damping(const DampingModuli& moduli, const V
   find_corner_forces(t, HourglassModes<T>{{none, none, none, none}}, a, b, out);
 }
 
-/// The same of 2x2x2 points with mean dilatation.
+/// Damping forces of elements with 2x2x2 points and mean dilatation.
 template <class T>
 PERCUSS_FORCE_INLINE void find_full_damping(const DampingModuli& moduli, const VectorModes<T>& a,
                                             const VectorModes<T>& u, const CornerForces<T>& out) {
@@ -63,7 +63,7 @@ PERCUSS_FORCE_INLINE void find_full_damping(const DampingModuli& moduli, const V
   find_full_forces(force, identity_matrix<T>(), bulk * trace(symmetric_part(find_velocity_gradient(u, b))), b, out);
 }
 
-/// The same of thick shells; three points across integrate it for any number.
+/// Damping forces of thick shells; three points across integrate it for any number.
 template <class T>
 PERCUSS_FORCE_INLINE void find_thick_damping(const DampingModuli& moduli, const VectorModes<T>& a,
                                              const VectorModes<T>& u, const CornerForces<T>& out) {

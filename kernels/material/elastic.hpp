@@ -91,7 +91,7 @@ struct Elastic {
     stress = stress + number<T>(2 * mu) * de + Symmetric3<T>{volumetric, volumetric, volumetric, T(0), T(0), T(0)};
   }
 
-  /// The same in float, with what the stress does not hold in its rest (long_sum.hpp).
+  /// The update in float, with what the stress does not hold in its rest (long_sum.hpp).
   template <class T>
   PERCUSS_FORCE_INLINE void update(Symmetric3<T>& stress, Symmetric3<T>& rest, T* /*history*/,
                                    const Symmetric3<T>& de) const {

@@ -9,7 +9,7 @@
 
 namespace percuss {
 
-/// Which numbers a constant takes.
+/// The range of numbers that a constant takes.
 enum class KeyRange { any, positive, not_negative, not_positive, above_one, share, poissons_ratio };
 
 /// Numbers that a deck gives to a law without a name each.

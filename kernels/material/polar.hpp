@@ -37,7 +37,7 @@ PERCUSS_FORCE_INLINE Matrix3<T> find_rotation(const T& d, const Vector3<T>& n) {
            {sn.x * n.z - t.y, sn.y * n.z + t.x, T(1) - (sn.x * n.x + sn.y * n.y)}}};
 }
 
-/// The same less the identity, to the last digit however small the angle.
+/// The rotation less the identity, to the last digit however small the angle.
 template <class T>
 PERCUSS_FORCE_INLINE Matrix3<T> find_turn(const T& d, const Vector3<T>& n) {
   const T scale = T(2) / (d * d + dot(n, n));

@@ -22,7 +22,7 @@ struct JoinLists<TypeList<Ts...>> {
 template <class... As, class... Bs, class... Rest>
 struct JoinLists<TypeList<As...>, TypeList<Bs...>, Rest...> : JoinLists<TypeList<As..., Bs...>, Rest...> {};
 
-/// Those of a list for which the Predicate's value is true, in their order.
+/// The types of a list for which the Predicate's value is true, in their order.
 template <class List, template <class> class Predicate>
 struct FilterList;
 template <class... Ts, template <class> class Predicate>
@@ -42,7 +42,7 @@ struct AnyOf {
 template <int Size, class... Ts, class T>
 void set_any_of(AnyOf<Size>& any, TypeList<Ts...>, const T& value) {
   static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= Size);
-  static_assert((std::is_same_v<T, Ts> || ...), "not in the list: nobody could call it");
+  static_assert((std::is_same_v<T, Ts> || ...), "not in the list: it could not be called");
   constexpr bool is[] = {std::is_same_v<T, Ts>...};
   any.kind = static_cast<int>(std::find(std::begin(is), std::end(is), true) - std::begin(is));
   std::memcpy(any.bytes, &value, sizeof value);

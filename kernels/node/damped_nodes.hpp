@@ -1,11 +1,11 @@
 #pragma once
-// Which nodes are damped in proportion to their mass (damping.hpp), and how they answer impulses then.
+// Nodes that are damped in proportion to their mass (damping.hpp), and their response to impulses.
 
 #include "kernels/core/views.hpp"
 
 namespace percuss {
 
-/// Which coefficient damps each node; const after set-up.
+/// The damping coefficient of each node; const after set-up.
 struct DampedNodes {
   Array<int> entry;  // [nodes] row of the coefficients; -1: not damped; empty: nothing is damped in the scene
 };

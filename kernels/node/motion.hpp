@@ -5,7 +5,7 @@
 
 namespace percuss {
 
-/// Which slots a node sums, in their fixed order; const after set-up.
+/// Slots that a node sums, in their fixed order; const after set-up.
 struct NodeSlots {
   Array<int> first;  // [nodes + 1]
   Array<int> slots;  // ascending: chunk by chunk, then pressure faces
@@ -35,7 +35,7 @@ struct NodeForces {
 void predict_velocities(const ExecSpace& space, const NodeForces& forces, double dt_mean, const Rows3<double>& force,
                         const Rows3<double>& v_before, const Rows3<double>& v);
 
-/// The same; returns the largest magnitude of a component of v(n+1/2).
+/// Predicts as above, and returns the largest magnitude of a component of v(n+1/2).
 double predict_and_measure(const ExecSpace& space, const NodeForces& forces, double dt_mean, const Rows3<double>& force,
                            const Rows3<double>& v_before, const Rows3<double>& v);
 
@@ -50,7 +50,7 @@ void mirror_velocities(const ExecSpace& space, const Rows3<const double>& v, con
 /// x(n+1) = x(n) + dt v(n+1/2).
 void move_nodes(const ExecSpace& space, const Rows3<const double>& v, double dt, const Rows3<double>& x);
 
-/// The same; returns the largest magnitude of a component of v.
+/// Moves as above, and returns the largest magnitude of a component of v.
 double move_and_measure(const ExecSpace& space, const Rows3<const double>& v, double dt, const Rows3<double>& x);
 
 /// The largest magnitude of a component of the velocities of all nodes, or of `count` nodes in a list.

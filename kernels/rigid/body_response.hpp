@@ -27,7 +27,7 @@ KOKKOS_INLINE_FUNCTION Wrench find_wrench(const Vector3<double>& r, const Vector
 struct BodyChange {
   Vector3<double> velocity{}, spin{};
 
-  /// Of the velocity of a node at r from the centre.
+  /// Change of the velocity of a node at r from the centre.
   KOKKOS_INLINE_FUNCTION Vector3<double> at(const Vector3<double>& r) const { return velocity + cross(spin, r); }
 };
 

@@ -27,7 +27,7 @@ KOKKOS_INLINE_FUNCTION Orientation operator*(const Orientation& a, const Orienta
           a.w * b.y + b.w * a.y + (a.z * b.x - a.x * b.z), a.w * b.z + b.w * a.z + (a.x * b.y - a.y * b.x)};
 }
 
-/// Of length one again: the orientation of a body never drifts off the rotations.
+/// Scales an orientation to length one, so that the orientation of a body never drifts off the rotations.
 KOKKOS_INLINE_FUNCTION Orientation normalize(const Orientation& a) {
   const double scale = 1 / std::sqrt(a.w * a.w + a.x * a.x + a.y * a.y + a.z * a.z);
   return {scale * a.w, scale * a.x, scale * a.y, scale * a.z};
@@ -44,7 +44,7 @@ KOKKOS_INLINE_FUNCTION Orientation turn(const Orientation& orientation, const Ve
   return normalize(Orientation{1, q.x, q.y, q.z} * orientation);
 }
 
-/// Which components of the spin, along the global axes, something else decides.
+/// Components of the spin, along the global axes, that are prescribed.
 struct HeldSpin {
   bool held[3] = {false, false, false};
   double rate[3] = {0, 0, 0};  // where held [rad / time]

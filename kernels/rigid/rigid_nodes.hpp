@@ -53,7 +53,7 @@ struct NodalForces {
 void sum_rigid_forces(const ExecSpace& space, const RigidLoads& loads, const NodalForces& forces,
                       const std::vector<Vector3<double>>& centers, ExactSums<6>& memory, std::vector<ExactSum>& sums);
 
-/// Those of a body, rounded.
+/// Force and moment on a body, rounded from the exact sums.
 Wrench round_wrench(const std::vector<ExactSum>& sums, std::size_t body);
 
 }  // namespace percuss

@@ -17,7 +17,7 @@ KOKKOS_INLINE_FUNCTION void store_spin(const Rows3<double>& rows, int n, const V
 
 KOKKOS_INLINE_FUNCTION bool is_zero_vector(const Vector3<double>& a) { return a.x == 0 && a.y == 0 && a.z == 0; }
 
-/// Of the rotation with Gibbs' vector tan(angle / 2).
+/// Matrix of the rotation with Gibbs' vector tan(angle / 2).
 KOKKOS_INLINE_FUNCTION Matrix3<double> find_turn_matrix(const Vector3<double>& gibbs) {
   return find_rotation(normalize(Orientation{1, gibbs.x, gibbs.y, gibbs.z}));
 }

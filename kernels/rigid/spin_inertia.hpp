@@ -90,7 +90,8 @@ struct TurningNodes {
 /// made of the number: each turns as a rigid body (rigid_motion.hpp), whose momentum the moments change.
 void predict_tensor_spins(const ExecSpace& space, const SpinInertia& inertia, const TurningNodes& nodes);
 
-/// Of nodes that are held in some directions: what the motion there asks of the others, whose momentum stays.
+/// For nodes whose spin is held in some directions: the change that the held motion causes in the others, whose
+/// momentum stays.
 void follow_held_spins(const ExecSpace& space, const SpinInertia& inertia, const TurningNodes& nodes);
 
 /// What damping has taken of the momentum of nodes with a tensor, whose spins are those after it: the difference of

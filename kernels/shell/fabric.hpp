@@ -104,7 +104,7 @@ struct FabricLayer {
   static constexpr bool is_fabric = true;
   static constexpr int samples = 9;           // of directions of a tension field, from warp to weft
   static constexpr int most_iterations = 60;  // of the search between two of them
-  /// Of the modes that the point does not see, what the physical stiffness of a sheet is that cannot be compressed.
+  /// Hourglass stiffness of a sheet that cannot be compressed, as a share of the physical stiffness.
   static constexpr double slack_hourglass = 0.05;
 
   PlaneElasticity elasticity;  // isotropic mean over all directions, for the hourglass modes
@@ -260,7 +260,7 @@ struct FabricLayer {
     set_tension(e, turns, low, high, rises, s);
   }
 
-  /// Of a strain in the first quadrant.
+  /// Largest principal strain and its direction in the first quadrant.
   template <class T>
   PERCUSS_FORCE_INLINE static void find_largest_strain(const T (&e)[3], T (&to)[2]) {
     const T half = T(0.5), difference = half * (e[0] - e[1]);

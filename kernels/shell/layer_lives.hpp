@@ -29,7 +29,7 @@ struct WholeLayers {
   static constexpr bool can_fail = false;
 };
 
-/// Those of an element, or a pack of them, that can. rows: of LayerLives; T stands for a row.
+/// Layers that can fail, of an element or a pack of elements. rows: of LayerLives; T stands for a row.
 template <class T>
 struct FailingLayers {
   static constexpr bool can_fail = true;
@@ -49,7 +49,7 @@ struct FailingLayers {
 };
 
 /// What failed layers leave of a section's stiffness in its plane and in bending: at n+1, and in the mean of the step.
-/// Of whole layers exactly 1.
+/// Exactly 1 while all layers are whole.
 template <class T>
 struct SectionLeft {
   T membrane, bending, mean_membrane, mean_bending;

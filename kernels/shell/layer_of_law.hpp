@@ -25,7 +25,7 @@ HardeningLayer make_layer(const Law& law, double density) {
 
 inline FabricLayer make_layer(const Fabric& law, double /*density*/) { return FabricLayer::make(law); }
 
-/// Of a skin, which nobody computes: no stress.
+/// The layer of a skin, which has no stress and is not computed.
 inline ElasticLayer make_layer(const Skin& /*law*/, double /*density*/) { return {}; }
 
 /// As a ply of a laminate.

@@ -12,7 +12,7 @@ struct MetalPly {
   PlaneElasticity elasticity;
   AnisotropicPlasticity law;
   HillCoefficients hill;
-  // Of Hill's surface: stresses 11 and 22 by the modes in which it and elasticity are diagonal, and back.
+  // Modes of Hill's surface: stresses 11 and 22 by the modes in which it and elasticity are diagonal, and back.
   double to_modes[2][2] = {}, from_modes[2][2] = {}, rate[2] = {};
   BarlatSurface surface;  // where the exponent is not 2
 
@@ -95,7 +95,7 @@ struct MetalPly {
     return to;
   }
 
-  /// Of v with surface v = rate compliance v, v compliance v = 1 (in the plane of 11 and 22).
+  /// Sets the modes v with surface v = rate compliance v, v compliance v = 1 (in the plane of 11 and 22).
   void set_modes() {
     const double over_e = 1 / elasticity.youngs_modulus, s = over_e, t = -elasticity.poissons_ratio * over_e;
     const double own[2] = {s + t, s - t};  // of the sum and of the difference, as unit vectors

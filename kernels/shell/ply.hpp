@@ -131,7 +131,7 @@ struct OrthotropicPly {
   }
 
  private:
-  /// Of the compliance whose 11, 22 and 12 are divided by what damage leaves.
+  /// Stress by the compliance whose 11, 22 and 12 are divided by what damage leaves.
   template <class T>
   PERCUSS_FORCE_INLINE void find_stress(const T* e, const ActingDamage<T>& damage, T (&s)[3]) const {
     const T fibre = T(1) - damage.fibre, matrix = T(1) - damage.matrix;

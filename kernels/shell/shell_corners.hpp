@@ -25,7 +25,7 @@ struct GatheredShells {
   }
 };
 
-/// Which lanes of a pack are triangles: their last corner is the third again.
+/// Marks the lanes of a pack that are triangles: their last corner is the third again.
 PERCUSS_FORCE_INLINE auto find_shapes(const std::uint16_t* corners) {
   alignas(64) double repeated[shell_width];
   for (int lane = 0; lane < shell_width; ++lane) {

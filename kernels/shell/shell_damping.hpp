@@ -16,7 +16,7 @@ struct DampedSection {
   bool is_membrane = false;
 };
 
-/// Which chunks are damped; const after set-up.
+/// Chunks of damped shells; const after set-up.
 struct DampedShells {
   Array<int> chunks;                                // ascending chunk ids
   Kokkos::View<DampedSection*, MemSpace> sections;  // [chunks of the rank]

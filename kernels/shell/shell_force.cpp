@@ -12,9 +12,8 @@ namespace {
 /// folded, and dies. One that cannot goes on.
 constexpr double shell_folded_cosine = 0.0995;
 
-/// Body of ElementKernel. CanFail: some chunks can; HasTriangles: some elements are; without them nobody asks. Those
-/// that can fail are asked all the same: a body of their own would take longer to compile than it saves in a step (2
-/// %).
+/// Body of ElementKernel. CanFail: some chunks can; HasTriangles: some elements are triangles. Bodies of elements that
+/// can fail always look for triangles: a body without would take longer to compile than it saves in a step (2 %).
 template <class Layer, bool CanFail, bool HasTriangles>
 struct ShellBody {
   using Block = ShellBlock<Layer>;
@@ -91,7 +90,7 @@ struct ShellBody {
     return advance_membrane(parameters, corners, stored, out, layers, shapes);
   }
 
-  /// Of a pack that can fail. first: its first element.
+  /// Layers of a pack that can fail. first: its first element.
   KOKKOS_FUNCTION FailingLayers<Lanes> find_layers(int first, int points) const {
     double* const rows = &of.motion.lives.layers(of.motion.failing.first_layer(chunk.c));
     return {reinterpret_cast<Lanes*>(rows + first * LayerLives::count_rows(points))};

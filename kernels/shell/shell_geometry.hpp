@@ -21,7 +21,7 @@ PERCUSS_FORCE_INLINE ShellDifferences<T> find_differences(const Vector3<T> (&u)[
   return {u[2] - u[0], u[3] - u[1], (u[0] + u[2]) - (u[1] + u[3])};
 }
 
-/// The same in other axes, the rows of a matrix.
+/// Differences in other axes, the rows of a matrix.
 template <class T>
 PERCUSS_FORCE_INLINE ShellDifferences<T> turn(const Matrix3<T>& axes, const ShellDifferences<T>& u) {
   return {axes * u.r, axes * u.s, axes * u.h};
@@ -138,7 +138,7 @@ struct GradientProducts {
   T xx, yy, xy;
 };
 
-/// Of four corners; of a triangle of its three, times three quarters, because they have more mass each.
+/// Products over four corners; over the three of a triangle, times three quarters, because they have more mass each.
 template <class T, class Shapes>
 PERCUSS_FORCE_INLINE GradientProducts<T> find_gradient_products(const ShellGeometry<T>& g,
                                                                 [[maybe_unused]] const Shapes& shapes) {

@@ -46,7 +46,7 @@ struct FlowShares {
   }
 };
 
-/// The same for plies: stored forces keep the share that damage leaves of their stiffness, so that their energy does
+/// Flow of plies: stored forces keep the share that damage leaves of their stiffness, so that their energy does
 /// not grow by it.
 template <class T>
 struct PlyFlow {
@@ -128,8 +128,8 @@ struct ModeChanges {
   T change[2], along[2];
 };
 
-/// Of the membrane's hourglass modes, which would lock on a warped element; of a triangle, which has none, those of its
-/// corners' drilling beyond the mean.
+/// Changes of the membrane's hourglass modes, which would lock on a warped element. A triangle has none: there they are
+/// those of its corners' drilling beyond the mean.
 template <class T, class Shapes>
 PERCUSS_FORCE_INLINE ModeChanges<T> find_membrane_changes(const PlaneElasticity& e, const ShellGeometry<T>& g,
                                                           const ShellRates<T>& rate, const T& thickness, const T& dt,
@@ -150,7 +150,7 @@ PERCUSS_FORCE_INLINE ModeChanges<T> find_membrane_changes(const PlaneElasticity&
   return of;
 }
 
-/// Of the hourglass modes of bending.
+/// Changes of the hourglass modes of bending.
 template <class T>
 PERCUSS_FORCE_INLINE ModeChanges<T> find_bending_changes(const PlaneElasticity& e, const ShellGeometry<T>& g,
                                                          const ShellRates<T>& rate, const T& thickness, const T& dt) {

@@ -3,8 +3,8 @@
 
 namespace percuss {
 
-/// Of an element, or a pack of them. Stress xx, yy, xy and history, point after point from bottom to top, follow it in
-/// the record.
+/// State of an element, or a pack of elements. Stress xx, yy, xy and history, point after point from bottom to top,
+/// follow it in the record.
 template <class T>
 struct ShellState {
   T mass;             // constant

@@ -34,9 +34,9 @@ PERCUSS_FORCE_INLINE T find_largest_product(const GradientProducts<T>& b, double
   return half_trace + square_root(larger(half_trace * half_trace - T(share) * determinant, T(0)));
 }
 
-/// Of a quadrilateral. Membrane (with its hourglass modes) and rotations (shear and bending) each have a bound; on a
-/// warped element they share velocities: shear takes those in the plane along directors that lean, hourglass modes take
-/// deflections by the warp, and the spin turns directors that differ.
+/// Bound of a quadrilateral. Membrane (with its hourglass modes) and rotations (shear and bending) each have a bound;
+/// on a warped element they share velocities: shear takes those in the plane along directors that lean, hourglass modes
+/// take deflections by the warp, and the spin turns directors that differ.
 template <class T>
 PERCUSS_FORCE_INLINE T bound_quadrilateral(const ShellGeometry<T>& g, const T& thickness, const T& gyration_square,
                                            double poissons_ratio) {
@@ -64,9 +64,9 @@ PERCUSS_FORCE_INLINE T bound_quadrilateral(const ShellGeometry<T>& g, const T& t
                     of_membrane * (by_leaning + of_bending * by_spin) + by_warp * of_shear);
 }
 
-/// Of a triangle. The membrane's largest eigenvalue is exact, it has no other modes in its plane. In shear, with the
-/// share of find_shear_share(), rotations count with those of a uniform field and with what turns around the element,
-/// over the square of the gyration; bending, which moves the same rotations, adds to it.
+/// Bound of a triangle. The membrane's largest eigenvalue is exact, it has no other modes in its plane. In shear, with
+/// the share of find_shear_share(), rotations count with those of a uniform field and with what turns around the
+/// element, over the square of the gyration; bending, which moves the same rotations, adds to it.
 template <class T, class Shapes>
 PERCUSS_FORCE_INLINE T bound_triangle(const ShellGeometry<T>& g, const T& thickness, const T& gyration_square,
                                       double poissons_ratio, const Shapes& shapes) {

@@ -1,7 +1,7 @@
 #pragma once
 // A skin: shells without any stress, which have mass, touch and take pressure for the nodes of others.
 //
-// Nobody computes them, as nobody computes rigid elements: they cost no time and hold no step down.
+// They are not computed, like rigid elements: they cost no time and do not limit the step.
 
 #include <array>
 

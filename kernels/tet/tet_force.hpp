@@ -38,7 +38,7 @@ void sum_forces(const ExecSpace& space, const ElementChunks& chunks, const TetBl
 void advance_plain(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks,
                    const ElementMotion& motion, const ChunkFields& fields);
 
-/// The same for one block; compiled for each material.
+/// Advances the stresses of one block; compiled for each material.
 template <class Block>
 void advance_stresses_of(const ExecSpace& space, const ElementChunks& chunks, const Block& block, const TetStep& step,
                          const ChunkFields& fields);

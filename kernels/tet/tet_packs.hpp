@@ -196,7 +196,7 @@ struct GivenStress {
   }
 };
 
-/// Of an element at n+1, from what the second pass leaves.
+/// Stress of an element at n+1, from what the second pass leaves.
 struct OwnStress {
   Symmetric3<Lanes> stress;
   Lanes guard, viscous_pressure;

@@ -134,7 +134,7 @@ std::string describe(const std::string& file, hdf5::ExternalFiles external) {
                    (is_deck ? " (a deck? then: percuss check " + file + ")" : ""));
 }
 
-/// Of a file, or of the files in a folder; 0 if nothing can be found out.
+/// Bytes of a file, or of the files in a folder; 0 if nothing can be found out.
 std::uintmax_t find_bytes(const fs::path& path) {
   std::error_code ignored;
   if (!fs::is_directory(path, ignored)) return fs::is_regular_file(path, ignored) ? fs::file_size(path, ignored) : 0;

@@ -25,7 +25,7 @@ std::string find_shape_path(const PartDeck& part) {
 
 namespace {
 
-/// Those that are of a rigid body, or have nodes of it.
+/// Parts of a rigid body, and parts that have nodes of it.
 std::vector<std::size_t> find_parts_of_body(const Deck& deck, const std::string& body) {
   const RigidNames names = name_rigid_bodies(deck);
   const int index = names.find(body);

@@ -193,7 +193,7 @@ double find_meeting(const Flight& a, const Flight& b, double end, double share) 
 
 namespace {
 
-/// Of the corner that is closest to a plane.
+/// Height of the corner that is closest to a plane.
 double find_height(const Flight::Box& box, const WallDeck& wall) {
   double height = 0;
   for (std::size_t k = 0; k < 3; ++k)
@@ -211,7 +211,7 @@ bool is_growing(double end, double size, const Distance& distance) {
          std::min(start_slope, end_slope) >= -round_off * growth;
 }
 
-/// Of the middle of a box from a cylinder without end or a sphere, less half its diagonal: never too far.
+/// Height of the middle of a box over a cylinder without end or a sphere, less half its diagonal: a lower bound.
 double find_height_over_round(const Flight::Box& box, const WallDeck& wall) {
   Vec3 middle{}, half{};
   for (std::size_t k = 0; k < 3; ++k) {

@@ -23,7 +23,7 @@ class Flight {
   /// Where the part is, half its thickness included.
   Box find_box(double time) const;
 
-  /// The same as a wall meets it: its nodes, with half its thickness only where the wall includes that.
+  /// The box that a wall meets: that of its nodes, with half its thickness only where the wall includes that.
   Box find_box(double time, const WallDeck& wall) const;
 
   const Vec3& gravity() const { return gravity_; }
@@ -55,10 +55,10 @@ class Flight {
   void add_turn(const TurnDeck& turn);
 };
 
-/// Of a size: bodies that are closer touch.
+/// Bodies closer than this share of their size are taken as touching.
 inline constexpr double touching_share = 1e-6;
 
-/// The same where boxes that only touch may part.
+/// The share of the size where boxes that only touch may part.
 inline constexpr double overlapping_share = -1e-6;
 
 /// All parts of a scene.
@@ -73,14 +73,16 @@ bool do_overlap(const Flight::Box& a, const Flight::Box& b);
 /// The distance between two boxes; 0: they overlap.
 double find_gap(const Flight::Box& a, const Flight::Box& b);
 
-/// That of a part from a wall at time 0 as if it had no ends, at least; of a round one by the ball around the box.
+/// Lower bound of the gap between a part and a wall at time 0. Finite walls are treated as infinite; for round walls
+/// the part is replaced by the ball around its box.
 double find_gap(const Flight& part, const WallDeck& wall, double time);
 
 /// The first time up to `end` at which the boxes of two parts can come closer than a share of their smaller size; below
 /// 0: never.
 double find_meeting(const Flight& a, const Flight& b, double end, double share);
 
-/// The same of a part and a wall at time 0 as if it had no ends; of a cylinder or a sphere and the ball around the box.
+/// The first time at which a part can come that close to a wall of time 0, treated as infinite; for a cylinder or a
+/// sphere the part is replaced by the ball around its box.
 /// share: of the part's size.
 double find_meeting(const Flight& part, const WallDeck& wall, double end, double share);
 

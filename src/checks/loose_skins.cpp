@@ -48,7 +48,7 @@ std::vector<bool> find_taken(const Deck& deck, const Mesh& mesh, const std::vect
   return taken;
 }
 
-/// The same with the elements of all ranks: their nodes that a skin has, by their numbers in the whole mesh.
+/// Adds what elements of other ranks take: their nodes that a skin has, by their numbers in the whole mesh.
 void share_taken(const Mesh& mesh, const std::vector<bool>& skins, std::vector<bool>& taken) {
   std::vector<std::int64_t> numbers;
   std::vector<int> nodes;

@@ -270,7 +270,7 @@ std::vector<JointMeasures> measure_joints(const Deck& deck, const Mesh& mesh) {
   return measures;
 }
 
-/// Which nodes of this rank's share it counts in sums over all nodes.
+/// Marks the nodes of this rank's share that it counts in sums over all nodes.
 std::vector<bool> find_owned(const ChunkedMesh& chunked) {
   const int rank = chunked.mesh.ranks ? chunked.mesh.ranks->rank() : 0;
   std::vector<bool> owned(chunked.mesh.nodes.size(), true);

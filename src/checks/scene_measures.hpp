@@ -26,7 +26,7 @@ struct PartMeasures {
   double shortest_edge = 0;              // of its elements [length]
   double longest_edge = 0;               // of its elements [length]
   double mass = 0;                       // of its elements, by their density [mass]
-  // Of its smallest and largest element: edge of a cube or a square as large, or the length of a beam [length].
+  // Size of its smallest and largest element: edge of a cube or a square as large, or the length of a beam [length].
   double smallest_element = 0, largest_element = 0;
   // Across the thinnest direction of its thinnest element, and of that of its elements that are 100 times as long as
   // thin, of solids and shells [length].
@@ -81,7 +81,7 @@ struct SceneMeasures {
   std::vector<JointMeasures> joints;     // as Mesh::joints; empty where the deck joins no parts
   SelectionMeasures selections{};        // of loads and conditions
 
-  /// Of parts that share nodes, directly or not.
+  /// Whether two parts share nodes, directly or through others.
   bool are_joined(std::size_t part, std::size_t other) const { return assemblies[part] == assemblies[other]; }
   /// [parts] whether it and all that it is joined to are beams, which touch nothing.
   std::vector<bool> mark_beams() const;

@@ -75,7 +75,7 @@ void measure_conditions(const Deck& deck, const Mesh& mesh, std::vector<Conditio
   }
 }
 
-/// Of each part, nodes that `fixed` conditions without switches hold in all three directions.
+/// Nodes of each part that `fixed` conditions without switches hold in all three directions.
 std::vector<std::int64_t> count_held(const Deck& deck, const Mesh& mesh, const std::vector<bool>& owned) {
   std::vector<std::int64_t> counts(mesh.parts.size(), 0);
   std::vector<std::uint8_t> held;

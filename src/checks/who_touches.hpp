@@ -1,5 +1,5 @@
 #pragma once
-// Which parts may touch each other and walls, by what the deck names.
+// Parts that may touch each other and walls, by what the deck names.
 
 #include <cstddef>
 #include <vector>

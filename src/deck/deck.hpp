@@ -94,15 +94,15 @@ struct Deck {
   KeyPlaces places;                        // of its keys
   std::vector<UsedSelector> selectors;     // all of the deck
   std::vector<Warning> warnings;           // of the deck alone; what is silenced is still among them
-  std::set<std::string> silenced;          // rules whose warnings nobody wants to see (src/output/warning_log.hpp)
+  std::set<std::string> silenced;          // rules whose warnings are not shown (src/output/warning_log.hpp)
   std::string resolved;                    // all its values, with the --set arguments, as JSON (yaml/deck_json.hpp)
 
   /// "deck.yaml:LINE:COLUMN" or "--set KEY" for messages found after reading (meshing, selection).
   std::string where(Place place) const;
 
-  /// Of a part: its own, and of the whole scene what it does not say.
+  /// Settings of a part: its own, and those of the whole scene where it has none.
   ElementDeck find_elements(std::size_t part) const { return find_settings(elements, parts[part].own_elements); }
-  /// Of a part: its own, or that of the whole scene; null: its masses stay.
+  /// Mass scaling of a part: its own, or that of the whole scene; null: its masses stay.
   const MassScalingDeck* find_mass_scaling(std::size_t part) const;
   /// Whether any part is given mass during the run.
   bool scales_mass_in_run() const;

@@ -10,7 +10,7 @@ struct ElementDeck {
   enum class Integration { one_point, full, thick_shell, membrane };
   enum class Hourglass { assumed_strain, stiffness, viscous };
   Integration integration = Integration::one_point;
-  /// Which of the directions of a hexahedron crosses a thick shell: one by the order of its nodes, of which the third
+  /// The direction of a hexahedron that crosses a thick shell: one by the order of its nodes, of which the third
   /// is from the first four to the others, or that in which it is shortest.
   enum class Across { first, second, third, shortest };
   Across across = Across::third;

@@ -1,5 +1,5 @@
 #pragma once
-// Which parts are embedded in solids.
+// Parts that are embedded in solids.
 
 #include <algorithm>
 #include <string>

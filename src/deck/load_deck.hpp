@@ -11,7 +11,7 @@
 
 namespace percuss {
 
-/// The same speed at every node, along the line to it from a point or from an axis.
+/// A speed that is equal at every node, along the line to it from a point or from an axis.
 struct RadialVelocityDeck {
   double speed = 0;  // outward
   Vec3 center{};

@@ -87,7 +87,7 @@ inline constexpr std::array fields_formats{std::pair{"vtkhdf", FieldsFormat::vtk
 /// Frames of fields, in files of their own.
 struct FieldsDeck {
   std::string name;  // of the entry of output.field_outputs; empty: it is output.fields
-  // Of output.field_outputs, one of these at most; without any it is of the whole mesh.
+  // Entries of output.field_outputs have one of these at most; without any they cover the whole mesh.
   std::vector<Selector> elements;      // parts and element sets
   std::vector<Selector> faces;         // parts and surfaces, whose faces are written as surface elements
   std::optional<double> every;         // [time]; the first and last state are always written; none: nothing is written
@@ -117,7 +117,7 @@ struct OutputDeck {
   std::optional<double> checkpoint_wall;   // of the clock [s]
   bool checkpoint_at_end = true;           // whether one is left at the end
 
-  /// Those that are written, output.fields first.
+  /// Outputs that are written, output.fields first.
   std::vector<const FieldsDeck*> list_fields() const {
     std::vector<const FieldsDeck*> list;
     if (fields.every) list.push_back(&fields);

@@ -6,7 +6,7 @@
 
 namespace percuss {
 
-/// Which numbers a key takes; `text` completes "must be".
+/// Range of the numbers that a key takes; `text` completes "must be".
 struct Range {
   std::string text;
   double low = -std::numeric_limits<double>::infinity();

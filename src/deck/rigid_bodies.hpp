@@ -1,5 +1,5 @@
 #pragma once
-// Which parts and sets of nodes of a deck are rigid, and which of them are one body.
+// Parts and sets of nodes of a deck that are rigid, and those that form one body.
 
 #include <algorithm>
 #include <array>

@@ -17,7 +17,7 @@ void apply_imperfections(const Deck& deck, const Communicator& ranks, Mesh& mesh
 /// beyond 1 and is 0 on average.
 double find_noise(const Vec3& at, double length, std::uint64_t seed);
 
-/// The same of a node on its own: independent of all others.
+/// Noise of a node on its own: independent of all others.
 double find_noise(std::int64_t node_id, std::uint64_t seed);
 
 }  // namespace percuss

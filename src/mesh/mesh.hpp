@@ -52,7 +52,7 @@ struct Mesh {
   std::vector<Warning> warnings;                              // found while building (unused nodes dropped, ...)
   std::vector<std::string> notes;                             // what was done to it, a line each
 
-  // Of the whole mesh, of which this may be the share of one rank:
+  // Data of the whole mesh, of which this may be the share of one rank:
   std::vector<std::int64_t> node_numbers;  // [nodes] place of each in the whole mesh, ascending
   std::vector<std::uint8_t> exterior;      // [elements] bit f: face f belongs to no other element that lives
   std::vector<int> bodies;                 // [elements] number of the connected body, from 0 by lowest element
@@ -102,11 +102,11 @@ std::vector<int> select_nodes(const Mesh& mesh, const Deck& deck, const Selector
 /// Exterior faces that the selector means, ascending: those of a side set (its interior faces left out), of a part or
 /// of the whole mesh; with `inside` only those with all four corners inside. Throws InputError likewise.
 std::vector<ElementFace> select_faces(const Mesh& mesh, const Deck& deck, const Selector& selector);
-/// The same among `exterior`, the faces of find_exterior_faces(), for who selects several times.
+/// Selects among `exterior`, the faces of find_exterior_faces(), for callers that select several times.
 std::vector<ElementFace> select_faces(const Mesh& mesh, const Deck& deck, const Selector& selector,
                                       const std::vector<ElementFace>& exterior);
 
-/// The same for who touches: of a part of beams alone, which touch without faces, there are none.
+/// Selects faces that may touch: a part of beams alone, which touch without faces, has none.
 std::vector<ElementFace> select_touching_faces(const Mesh& mesh, const Deck& deck, const Selector& selector,
                                                const std::vector<ElementFace>& exterior);
 

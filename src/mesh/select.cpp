@@ -277,7 +277,7 @@ std::map<std::string, std::vector<int>> list_block_elements(const Mesh& mesh) {
   return blocks;
 }
 
-/// Those of an element set, else of a block.
+/// Elements of an element set, else of a block.
 std::vector<int> list_elements_of_set(const Mesh& mesh, const Deck& deck, const Selector& selector) {
   if (const auto set = find_set(mesh.side_sets, deck, selector)) return list_whole_elements(mesh.elements, *set);
   const auto blocks = list_block_elements(mesh);

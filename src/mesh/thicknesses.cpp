@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
 
-/// Of each part on all ranks, once reduced.
+/// Thicknesses of each part on all ranks, once reduced.
 struct Thicknesses {
   std::vector<std::int64_t> missing, wrong;  // least id of an element without thickness, or with one that cannot be
   std::vector<double> minus_least, largest;

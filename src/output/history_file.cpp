@@ -118,7 +118,7 @@ HistoryFile::HistoryFile(const std::string& path, std::span<const std::string> c
 HistoryFile::~HistoryFile() {
   try {
     if (is_open_) flush();
-  } catch (const SystemError&) {  // a destructor has nobody to tell
+  } catch (const SystemError&) {  // a destructor cannot report it
   }
 }
 

@@ -41,7 +41,7 @@ class HistoryFile {
   /// sync(), and closes the file. Throws SystemError.
   void close();
 
-  /// Of the file, with all rows that were flushed [byte].
+  /// Length of the file, with all rows that were flushed [byte].
   std::int64_t length() const { return written_; }
 
   /// Whether the path still leads to this file.

@@ -196,7 +196,7 @@ class Reader {
  public:
   Reader(const Json& root, const std::string& path) : object_(&root), path_(path) {}
 
-  /// Of a key that summaries of older versions lack.
+  /// Reads a key that summaries of older versions lack.
   template <class T>
   void later_value(const char* key, T& member) {
     if (object_->contains(key)) value(key, member);

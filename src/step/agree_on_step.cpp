@@ -19,7 +19,7 @@ constexpr double largest_step_growth = 1.1;
 constexpr double least_step_growth = 0.02;
 /// So many steps before the end begin to share what is left.
 constexpr double landing_steps = 128;
-/// Of so many steps or more one is put in, which makes all of them shorter than they had to be.
+/// If at least so many steps remain, one extra step is added, so that none has to be longer than its bound.
 constexpr double steps_with_room = 8;
 
 /// A step, dt at most, from which the end is hit exactly. left: time to the end; last: the step before, 0 at first.

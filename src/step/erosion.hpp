@@ -27,7 +27,7 @@ class Erosion {
   /// Redefines the scene after elements have died, and books what leaves. Loads must be renewed then.
   void redefine(State& state, Bookkeeper& books);
 
-  /// The same for a state from a checkpoint, in which some may be dead; nothing is booked.
+  /// Restores the surface for a state from a checkpoint, in which elements may be dead; nothing is booked.
   void restore(State& state);
 
   /// Elements of this rank that are dead.

@@ -11,7 +11,7 @@ namespace percuss {
 
 namespace {
 
-/// Of the product of the edges at a corner: what the checks of a mesh call zero.
+/// Share of the product of the edges at a corner that the checks of a mesh call zero.
 constexpr double zero_jacobian = 1e-10;
 
 bool has_inverted_corner(const Topology& topology, const ElementCorners& x) {

@@ -14,7 +14,7 @@ namespace percuss {
 
 struct Actions {
   std::vector<std::unique_ptr<Action>> all;  // in their order
-  // Of them, what others ask.
+  // Actions that others ask.
   const RigidStage* rigid = nullptr;  // null: no body is rigid
   Sensors* sensors = nullptr;
   ForceBooks* forces = nullptr;

@@ -9,7 +9,7 @@
 namespace percuss {
 namespace {
 
-/// Of the speeds of nodes, whose velocities have components of at most this magnitude; negative: not known.
+/// Bound of the speeds of nodes whose velocities have components of at most this magnitude; negative: not known.
 double bound_speed(double component) {
   constexpr double root_of_3 = 1.7320508076;  // rounded up
   return component < 0 ? component : root_of_3 * component;
@@ -312,8 +312,8 @@ void Stepper::scale_masses(State& state) {
   for (Action* const action : order_) action->change_masses(state, bookkeeper_);
 }
 
-/// (1.3) to (1.5): all forces at n+1, in the slots. What other ranks wait for comes first, what needs nobody goes on
-/// meanwhile.
+/// (1.3) to (1.5): all forces at n+1, in the slots. What other ranks wait for comes first, what needs no other rank
+/// goes on meanwhile.
 void Stepper::compute_forces(State& state, double dt) {
   {
     const Phase phase("percuss::internal_force", clocks_.internal_force);
@@ -342,7 +342,7 @@ ElementMotion Stepper::find_motion(const State& state, double dt) const {
   return {state.x, state.v, dt, skips_rest, state.time + dt, watch, model_.failing, state.lives, state.w, others};
 }
 
-/// Who wants the bounds of all elements; null: nobody.
+/// The action that requests the bounds of all elements; null: none.
 const Action* Stepper::find_asker() const {
   const auto asker = std::find_if(order_.begin(), order_.end(),
                                   [](const Action* action) { return action->asked_bounds() != nullptr; });

@@ -93,7 +93,7 @@ class Stepper {
   bool is_checkpoint_agreed() const { return agreed_.checkpoint; }
   bool is_frame_agreed() const { return agreed_.frame; }
 
-  // Of all actions (src/step/model/action.hpp).
+  // Lists of all actions (src/step/model/action.hpp).
   std::vector<HistoryColumn> list_columns() const;
   void append_values(const State& state, std::vector<double>& row);
   std::vector<std::string> list_notes() const;
@@ -115,9 +115,9 @@ class Stepper {
   /// Whether the step comes from the largest eigenvalue of the mesh; how often that was estimated and what it brought.
   bool estimates_steps() const { return global_ != nullptr; }
   StepEstimateReport step_estimates() const { return global_ ? global_->report() : StepEstimateReport{}; }
-  /// Of the phases but those of contact, which has its own.
+  /// Clocks of the phases but those of contact, which has its own.
   PhaseClocks& clocks() { return clocks_; }
-  /// Of all phases so far, also of what contact looks at between steps.
+  /// Times of all phases so far, also of what contact looks at between steps.
   PhaseClocks read_clocks() const;
 
  private:

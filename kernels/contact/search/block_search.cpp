@@ -27,7 +27,7 @@ KOKKOS_INLINE_FUNCTION bool is_in_box(const double* x, const Boxes& boxes, int i
 }
 
 /// Boxes to be looked at by a block of points, and which of its points they concern. Looked at in one go, stage by
-/// stage, each of which leaves out some boxes without a branch that nobody can foresee.
+/// stage, each of which leaves out some boxes without an unpredictable branch.
 struct BoxQueue {
   static constexpr int capacity = 256;
   int count = 0;
@@ -276,8 +276,8 @@ double sum_tests(const Space& space, const Array<const int>& tests, int blocks) 
   return sum;
 }
 
-/// Sorts values[first, last), no two of which are equal. A short run is as most are: each value is put where the number
-/// of lower ones says, without a branch that nobody can foresee.
+/// Sorts values[first, last), no two of which are equal. Most runs are short: each value is placed by its rank (the
+/// number of smaller values), without unpredictable branches.
 KOKKOS_INLINE_FUNCTION void sort_distinct(const Array<int>& values, int first, int last) {
   const int n = last - first;
   if (n < 2) return;

@@ -53,7 +53,7 @@ KOKKOS_INLINE_FUNCTION bool shares_element(const ContactSurface& surface, int no
 
 /// Whether two faces have a corner in common.
 KOKKOS_INLINE_FUNCTION bool share_corner(const ContactSurface& surface, int a, int b) {
-  int shared = 0;  // without a branch that nobody foresees
+  int shared = 0;  // without an unpredictable branch
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) shared |= surface.face_corners(a, i) == surface.face_corners(b, j) ? 1 : 0;
   return shared != 0;

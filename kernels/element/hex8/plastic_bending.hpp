@@ -26,7 +26,7 @@ KOKKOS_INLINE_FUNCTION constexpr bool bends_plastically() {
   return false;
 }
 
-/// Of 1 - n^2 in the limit of m, which keeps some resistance against hourglass modes.
+/// Lower bound of 1 - n^2 in the limit of m, which keeps some resistance against hourglass modes.
 inline constexpr double least_room = 0.1;
 
 /// The stress of a plastic step at the centre, and what it leaves to bending.

@@ -17,7 +17,7 @@ struct AssumedRates {
   T to_eta[2];     // 2 E_23, in 1 and xi
 };
 
-/// Of the velocities v on the geometry a.
+/// Assumed strain rates of the velocities v on the geometry a.
 template <class T>
 PERCUSS_FORCE_INLINE AssumedRates<T> find_assumed_rates(const VectorModes<T>& a, const VectorModes<T>& v) {
   const auto both = [&](int i, int j) { return dot(a[i], v[j]) + dot(a[j], v[i]); };

@@ -14,14 +14,15 @@ namespace percuss {
 struct HillCoefficients {
   double f = 0.5, g = 0.5, h = 0.5, l = 1.5, m = 1.5, n = 1.5;
 
-  /// Of ratios of plastic strain, width over thickness, in tension at 0, 45 and 90 degrees to axis 1, in which the
-  /// uniaxial stress is the equivalent one. Shear across the sheet is as that of an isotropic metal.
+  /// Coefficients from ratios of plastic strain, width over thickness, in tension at 0, 45 and 90 degrees to axis 1, in
+  /// which the uniaxial stress is the equivalent one. Shear across the sheet is as that of an isotropic metal.
   static HillCoefficients of_strain_ratios(const double (&r)[3]) {
     const double shear = (r[0] + r[2]) * (1 + 2 * r[1]) / (2 * r[2] * (1 + r[0]));
     return {r[0] / (r[2] * (1 + r[0])), 1 / (1 + r[0]), r[0] / (1 + r[0]), 1.5, 1.5, shear};
   }
 
-  /// Of yield stresses over the reference one: 11, 22, 33, and shears 12, 23, 13 times the square root of 3.
+  /// Coefficients from yield stresses over the reference one: 11, 22, 33, and shears 12, 23, 13 times the square root
+  /// of 3.
   static HillCoefficients of_stress_ratios(const double (&normal)[3], const double (&shear)[3]) {
     double over[3], of_shear[3];
     for (int k = 0; k < 3; ++k) {
@@ -36,7 +37,7 @@ struct HillCoefficients {
             of_shear[0]};
   }
 
-  /// Of the plane-stress surface below with exponent 2.
+  /// Coefficients of the plane-stress surface below with exponent 2.
   static HillCoefficients of_plane(const double (&chp)[3]) {
     const auto [c, h, p] = chp;
     return {h * h - 0.5 * c * h, 1 - 0.5 * c * h, 0.5 * c * h, 1.5, 1.5, 0.5 * p * p * (2 + c)};

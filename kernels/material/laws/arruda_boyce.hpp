@@ -37,7 +37,7 @@ struct ArrudaBoyce {
   static constexpr int history_count = StretchHistory::count;
   static void start(double* history) { StretchHistory::start(history); }
 
-  /// Of the energy without mu, by I1.
+  /// Slopes of the energy without mu, by I1.
   template <class T>
   KOKKOS_INLINE_FUNCTION EnergySlopes<T> find_slopes(const T& first) const {
     constexpr double c[terms] = {1.0 / 2, 1.0 / 20, 11.0 / 1050, 19.0 / 7000, 519.0 / 673750};

@@ -37,7 +37,7 @@ struct CalledMaterial {
   }
   /// Where the history of the equation of state begins; -1: there is none.
   int find_state_place() const { return state_history > 0 ? law_place + law_history : -1; }
-  /// Of the element's own mass, if it is_scaled.
+  /// Place of the element's own mass, if it is_scaled.
   KOKKOS_INLINE_FUNCTION int find_mass_place() const { return law_place + law_history + state_history; }
 
   /// Advances a point from n to n+1. step.history: [count_history()].

@@ -53,7 +53,7 @@ struct J2Plasticity {
     return describe_return(to, share);
   }
 
-  /// The same in float, with what stress and p do not hold in their rests (long_sum.hpp); that of p is history[1]. An
+  /// The update in float, with what stress and p do not hold in their rests (long_sum.hpp); that of p is history[1]. An
   /// elastic trial stays as it is, where taking it apart and together again would change its last digit.
   template <class T>
   PERCUSS_FORCE_INLINE PlasticReturn<T> update(Symmetric3<T>& stress, Symmetric3<T>& rest, T* history,

@@ -76,7 +76,7 @@ struct TabulatedRubber {
  private:
   KOKKOS_INLINE_FUNCTION double pick(double row, int ahead) const { return value[static_cast<int>(row) + ahead]; }
 #ifdef PERCUSS_HAS_SIMD
-  /// Of each lane.
+  /// Picks the row of each lane.
   template <class Scalar, class Abi>
   KOKKOS_INLINE_FUNCTION std::experimental::simd<Scalar, Abi> pick(const std::experimental::simd<Scalar, Abi>& row,
                                                                    int ahead) const {

@@ -40,7 +40,7 @@ struct Viscoelastic {
   static constexpr int history_count = 7 * most_terms;
   KOKKOS_INLINE_FUNCTION int count_history() const { return 6 * relaxation.rows + bulk_relaxation.rows; }
 
-  /// Of fast loading.
+  /// Instantaneous moduli, those of fast loading.
   KOKKOS_INLINE_FUNCTION LameConstants moduli() const {
     double mu = long_term_shear_modulus, bulk = bulk_modulus;
     for (int i = 0; i < relaxation.rows; ++i) mu += relaxation.y[i];

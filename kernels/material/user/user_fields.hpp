@@ -24,7 +24,7 @@ class AskedPoints {
   virtual bool tell(std::string_view quantity, double* to) const = 0;
 };
 
-/// Those of the VUSDFLD that this thread is in; null: it is in none. VGETVRM has no argument that would say so.
+/// Points of the VUSDFLD call that this thread is in; null: it is in none. VGETVRM has no argument that would say so.
 inline thread_local const AskedPoints* asked_points = nullptr;
 
 /// The logarithmic strain of a stretch.

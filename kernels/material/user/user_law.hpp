@@ -112,7 +112,8 @@ struct UserLaw : UserFields {
   /// Where the temperature is kept, in the history of the law; -1: it is 0 for good.
   int find_temperature() const { return start_temperature != 0 || specific_heat > 0 ? StretchHistory::count + 2 : -1; }
   int find_scalar(HistoryScalar scalar) const { return scalar == HistoryScalar::temperature ? find_temperature() : -1; }
-  /// Of the rise of temperature in the last step, whose expansion the code has yet to get, behind the temperature.
+  /// Whether the rise of temperature of the last step, whose expansion the code has yet to get, is kept behind the
+  /// temperature.
   bool keeps_rise() const { return thermal_expansion > 0; }
   /// Where the number of the element is kept, and behind it its lengths.
   int find_element() const {

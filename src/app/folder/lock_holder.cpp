@@ -32,7 +32,7 @@ std::string find_host() {
   return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
 }
 
-/// Of proc(5), field 22 of stat: behind the name, which may hold anything. -1: there is no such process.
+/// Start time of a process: field 22 of stat in proc(5), behind the name, which may hold anything. -1: there is none.
 long long find_process_start(long process) {
   const std::string stat = read_first_line(fmt::format("/proc/{}/stat", process));
   const auto name_end = stat.rfind(')');

@@ -156,7 +156,7 @@ struct Parser {
     check->add_flag("-f,--force", command.force, "With --report: write over a file that percuss check has not written");
   }
 
-  /// Those of the program that prints the tables (tools.hpp), here for their lines of help.
+  /// Options of the program that prints the tables (tools.hpp), here for their lines of help.
   void add_info_options() {
     info->add_flag("--energies", page, "Print energies of the history: first, last and extreme values");
     info->add_flag("--forces", page, "Print forces of the history: peak with its time, impulse, mean");

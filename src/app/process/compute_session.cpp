@@ -15,7 +15,8 @@
 namespace percuss {
 namespace {
 
-/// Of a mesh file: a line of a node and one of an element, as text. Binary files have fewer, but not by far.
+/// Bytes of a mesh file for an element: a line of a node and one of an element, as text. Binary files have fewer, but
+/// not by far.
 constexpr double bytes_of_element = 100;
 
 /// On a device the host looks into views between kernels (views.hpp), so that each launch has to be over by then.

@@ -12,7 +12,7 @@ struct FailureReport {
   std::string message;
 };
 
-/// Of the error that is being handled. Only inside a catch clause.
+/// Describes the error that is being handled. Only inside a catch clause.
 FailureReport describe_failure();
 
 /// Prints the message on stderr and returns the code.

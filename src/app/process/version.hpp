@@ -1,5 +1,5 @@
 #pragma once
-// Which percuss this is.
+// The version and the build of this program.
 
 #include <string>
 

@@ -134,7 +134,7 @@ void add_run_rows(PlanTable& table, double steps) {
             [=](const Column& c) { return format_core_hours(c.plan.ranks * steps * c.step.step() / 3600); });
 }
 
-/// Which contacts the messages are planned for.
+/// Names the contacts that the messages are planned for.
 std::string format_contacts(const PlannedScene& scene, const PlanFigures& figures) {
   if (!scene.pattern.has_pairs && !scene.pattern.has_walls) return "";
   const std::string text = fmt::format("\ncontacts {}", scene.contacts);
@@ -188,7 +188,7 @@ void warn_of_column(const PlannedScene& scene, const Column& column, WarningLog&
   }
 }
 
-/// Those of the deck and of the plan, a line each; a run adds those of its mesh.
+/// Warnings of the deck and of the plan, a line each; a run adds those of its mesh.
 std::string format_warnings(const PlannedScene& scene, const std::vector<Column>& columns) {
   WarningLog log(scene.deck.silenced);
   log.add(scene.deck.warnings);

@@ -9,7 +9,7 @@ namespace {
 constexpr const char* erase_line = "\r\x1b[K";
 
 void print(std::FILE* stream, const std::string& text) {
-  std::fputs(text.c_str(), stream);  // that nobody reads it ends no command
+  std::fputs(text.c_str(), stream);  // a closed reader ends no command
   std::fflush(stream);
 }
 

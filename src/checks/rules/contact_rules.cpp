@@ -145,7 +145,7 @@ double find_closing_speed(const CheckedScene& scene) {
   return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }
 
-/// Of any part; 0 if none has one.
+/// The slowest wave speed of any part; 0 if none has one.
 double find_slowest_wave(const Deck& deck) {
   double slowest = 0;
   for (const PartDeck& part : deck.parts) {

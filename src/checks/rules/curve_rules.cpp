@@ -35,7 +35,7 @@ void list_conditions(const Deck& deck, std::vector<NamedCurve>& curves) {
   }
 }
 
-/// Those of conditions, loads, gravity and walls.
+/// Curves of conditions, loads, gravity and walls.
 std::vector<NamedCurve> list_curves(const Deck& deck) {
   std::vector<NamedCurve> curves;
   list_conditions(deck, curves);

@@ -108,7 +108,7 @@ double find_distance(const WallDeck& wall, const Vec3& low, const Vec3& high) {
   return distance;
 }
 
-/// Of a symmetry that holds whole bodies along an axis.
+/// Warns of a symmetry that holds whole bodies along an axis.
 Warning warn_of_thick_plane(const Deck& deck, std::size_t condition, std::size_t axis, const ConditionMeasures& nodes) {
   const char* const name = direction_names[axis];
   return warn_at(deck, "symmetry_plane", join_path("conditions", condition) + ".symmetry",

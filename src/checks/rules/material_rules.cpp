@@ -262,7 +262,7 @@ std::vector<Warning> check_specific_heat(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_start_temperature(const CheckedScene& scene) {
-  constexpr double most = 150;  // nobody tests so far below room temperature
+  constexpr double most = 150;  // tests so far below room temperature are not known
   const auto units = find_units(scene.deck.units);
   const bool in_celsius = units && units->temperature == "C";
   std::vector<Warning> warnings;

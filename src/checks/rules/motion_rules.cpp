@@ -117,8 +117,8 @@ class FirstMeetings {
 
   const Flight& flight(std::size_t part) const { return flights_[part]; }
 
-  /// Of a part, up to a time; below 0: never. Those that move apart during the run have to come back; those that move
-  /// together do nothing to each other.
+  /// First meeting of a part, up to a time; below 0: never. Parts that move apart during the run have to come back;
+  /// parts that move together do nothing to each other.
   FirstMeeting find(std::size_t part, double end) const {
     FirstMeeting first;
     const Flight& own = flights_[part];
@@ -137,7 +137,7 @@ class FirstMeetings {
     return first;
   }
 
-  /// The same in a run that is longer, by up to `longer` times.
+  /// First meeting of a part in a run that is longer, by up to `longer` times.
   FirstMeeting find_later(std::size_t part) const {
     for (double times = 2; times <= longer; times *= 2) {
       const FirstMeeting meeting = find(part, times * deck_.time.end);
@@ -190,7 +190,7 @@ class FirstMeetings {
   std::vector<Marks> stopped_;  // by wall
 };
 
-/// Whom a part of beams meets before the end; empty: nobody.
+/// The part that a part of beams meets before the end; empty: none.
 std::string describe_meeting(const CheckedScene& scene, const std::vector<Flight>& flights, std::size_t part) {
   const Deck& deck = scene.deck;
   for (std::size_t other = 0; other < flights.size(); ++other) {
@@ -350,7 +350,7 @@ std::vector<Warning> check_beam_contact(const CheckedScene& scene) {
   return warnings;
 }
 
-/// Of joined parts one that has a surface may lie on the others.
+/// Marks touching parts; of joined parts one that has a surface may lie on the others.
 Marks mark_touching_with_joined(const CheckedScene& scene, double time) {
   Marks touching = mark_touching(scene.deck, time);
   for (std::size_t p = 0; p < touching.size(); ++p)

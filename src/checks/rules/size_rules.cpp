@@ -92,7 +92,7 @@ bool is_enclosed(const PartMeasures& inner, const PartDeck& part, const PartMeas
   return is_box || (sphere != nullptr && square < sphere->radius * sphere->radius);
 }
 
-/// Of `rotate`, without the turn that `axis` comes to.
+/// Counts the turns of `rotate`, without the one that `axis` becomes.
 std::size_t count_listed_turns(const Deck& deck, const PartDeck& part) {
   std::size_t listed = 0;
   while (deck.places.has(join_path("parts." + part.name + ".rotate", listed))) ++listed;

@@ -78,7 +78,7 @@ bool check_joint(const Reader& reader, const Node& node, JointDeck& joint) {
          check_lead(reader, node, joint) && check_cross(reader, node, joint);
 }
 
-/// The same bodies at the same place.
+/// Whether two joints join the same bodies at the same place.
 bool repeats(const JointDeck& a, const JointDeck& b) {
   return a.at == b.at && a.bodies.size() == b.bodies.size() &&
          std::is_permutation(a.bodies.begin(), a.bodies.end(), b.bodies.begin());

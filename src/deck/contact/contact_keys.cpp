@@ -41,7 +41,7 @@ bool is_same(const std::optional<Selector>& a, const std::optional<Selector>& b)
   return a && b ? is_same(*a, *b) : !a && !b;
 }
 
-/// Of two pairs of the same surfaces each may have its time.
+/// Whether a pair acts at some times only: two pairs of the same surfaces may follow each other.
 bool is_switched(const SurfacePairDeck& pair) { return pair.when.any(); }
 bool is_switched(const PairFrictionDeck&) { return false; }
 

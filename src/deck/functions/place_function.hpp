@@ -12,8 +12,8 @@ class PlaceFunction {
  public:
   PlaceFunction() = default;  // zero
 
-  /// Of `x`, `y` and `z` with the functions and constants of Curve::expression(). Throws std::invalid_argument with the
-  /// parser's reason.
+  /// An expression of `x`, `y` and `z` with the functions and constants of Curve::expression(). Throws
+  /// std::invalid_argument with the parser's reason.
   static PlaceFunction expression(const std::string& text);
 
   double operator()(const std::array<double, 3>& at) const;

@@ -1,5 +1,5 @@
 #pragma once
-// Which nodes or faces an entry of a deck means.
+// The nodes or faces that an entry of a deck means.
 
 #include <array>
 #include <optional>

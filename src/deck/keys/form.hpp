@@ -15,7 +15,7 @@ namespace percuss {
 
 struct FormKey;
 
-/// Of a map in which one key says which others go with it: what goes with one of its words.
+/// A case of a map in which one key says which others go with it: the keys that go with one of its words.
 struct FormCase {
   std::string word;
   std::vector<std::string> keys;      // all that the map may then hold

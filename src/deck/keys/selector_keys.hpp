@@ -5,7 +5,7 @@
 
 namespace percuss {
 
-/// Those of a selector that is a map.
+/// Keys of a selector that is a map.
 const Keys<Selector>& selector_keys();
 
 }  // namespace percuss

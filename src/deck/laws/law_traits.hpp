@@ -23,16 +23,16 @@ struct LawTraits {
   bool deletes_points = false;  // whatever the constants; their elements erode
   bool has_axes = false;        // directions of its own, by which a shell of it is a laminate
   bool is_of_membranes_alone = false;
-  bool is_skin = false;  // of shells alone, which nobody computes
+  bool is_skin = false;  // shells alone, which are not computed
 };
 
-/// Of all laws, in their order.
+/// Traits of all laws, in their order.
 const std::vector<LawTraits>& list_law_traits();
 
-/// Whether nobody computes the elements of a part: they are rigid, or a skin.
+/// Whether the elements of a part are not computed: they are rigid, or a skin.
 bool is_uncomputed(const Deck& deck, std::size_t part);
 
-/// Of a name that is no law, which the deck reader refuses: of one that can do nothing.
+/// Traits of a law; for a name that is no law, which the deck reader refuses, those of one that can do nothing.
 const LawTraits& find_traits(const std::string& model);
 const LawTraits& find_traits(const MaterialDeck& material);
 

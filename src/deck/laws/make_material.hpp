@@ -16,7 +16,7 @@
 
 namespace percuss {
 
-/// Those of solids, of which shells have some, and those that only membranes or shells have.
+/// Laws of solids, some of which shells have too, and laws that only membranes or shells have.
 using AllLaws = JoinLists<Materials, TypeList<Fabric, Skin>>::type;
 
 /// Whether solids have the law.

@@ -20,7 +20,7 @@ struct AlignedBlock {
   alignas(std::max_align_t) std::byte bytes[sizeof(std::max_align_t)];
 };
 
-/// Of a kind, by number. Those of a thread are found by it alone.
+/// Arrays of a kind, by number. A thread finds its own alone.
 struct UserArrays {
   struct Kept {
     std::vector<AlignedBlock> blocks;

@@ -122,7 +122,7 @@ class TableReader {
   UserTable* table_ = nullptr;
 };
 
-/// Of the chosen collection; null: it has none of this label.
+/// A table of the chosen collection; null: it has none of this label.
 const UserTable* find_table(const char* label, std::size_t length) {
   if (chosen() == nullptr) return nullptr;
   const auto found = chosen()->find(read_fortran(label, length));

@@ -58,7 +58,7 @@ const Keys<DamageEvolutionDeck>& evolution_keys() {
   return keys;
 }
 
-/// Of the table of an evolution.
+/// Checks the table of an evolution.
 bool check_lost_force(const Reader& reader, const Node& node, const DamageEvolutionDeck& evolution) {
   const auto& rows = evolution.table;
   std::string problem;

@@ -114,7 +114,7 @@ const Keys<T>& viscosity_keys() {
   return keys;
 }
 
-/// Those that a part may have too.
+/// Keys that a part may have too.
 template <class T>
 Keys<T> settings_keys() {
   return {

@@ -7,7 +7,7 @@
 namespace percuss {
 
 MapValue<ElementDeck> element_value();
-/// Those of a part among the keys of `elements`.
+/// Keys of `elements` that a part may have.
 Keys<PartElementDeck> part_element_keys();
 /// What has no effect beside the other settings that hold there.
 void check_element_settings(const Deck& deck, const Node& root, Reading& reading);

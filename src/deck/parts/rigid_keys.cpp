@@ -35,7 +35,8 @@ const Keys<RigidDeck>& rigid_keys() {
   return keys;
 }
 
-/// Of real masses the tensor is positive definite, and no moment of inertia exceeds the sum of the others.
+/// Checks that real masses can have the tensor: it is positive definite, and no moment of inertia exceeds the sum of
+/// the others.
 template <class Rigid>
 bool check_inertia(const Reader& reader, const Node& node, Rigid& rigid) {
   if (!rigid.inertia || is_inertia_of_masses(*rigid.inertia)) return true;

@@ -49,7 +49,7 @@ void check_materials(const Deck& deck, const Node& root, Reading& reading) {
   }
 }
 
-/// Of a laminate the criteria of failure of the part's material act, in all plies; those of others are lost.
+/// Checks laminates: the failure criteria of the part's material act in all plies; those of other materials are lost.
 void check_plies(const Deck& deck, const Node& root, Reading& reading) {
   const Node* const parts = root.find("parts");
   for (const PartDeck& part : deck.parts) {

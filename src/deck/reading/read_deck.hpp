@@ -12,7 +12,7 @@ namespace percuss {
 /// Throws InputError with every message ("file:line:column: error: ..."), SystemError if the file cannot be read.
 Deck read_deck(const std::string& file, const std::vector<std::string>& overrides = {});
 
-/// The same from text; `file` only names it in messages and anchors relative paths.
+/// Reads a deck from text; `file` only names it in messages and anchors relative paths.
 Deck parse_deck(const std::string& text, const std::string& file, const std::vector<std::string>& overrides = {});
 
 }  // namespace percuss

@@ -16,7 +16,7 @@ namespace {
 // Past this, the file is no deck; stopping keeps the work bounded.
 constexpr std::size_t most_errors = 500;
 
-// The same message at more places than this is said once more with a count.
+// A message that occurs at more places than this is said once more with a count.
 constexpr int most_repeats = 3;
 
 auto sort_key(Spot spot) { return std::tuple(spot.override, spot.place.line, spot.place.column); }

@@ -40,7 +40,7 @@ std::string describe_value(const Node& node) {
   return node.text;
 }
 
-/// Which values are listed: those on which the motion depends, or the others.
+/// Selects the values that are listed: those on which the motion depends, or the others.
 struct Listing {
   bool has_sensors, is_of_free;
 };

@@ -22,7 +22,7 @@ std::vector<std::string> list_free_values(const Node& deck);
 std::vector<std::string> compare_motion_values(const std::vector<std::string>& now,
                                                const std::vector<std::string>& checkpoint);
 
-/// The same of the values that are free to change; nothing, if the checkpoint has none of them (an older one).
+/// Compares the values that are free to change; nothing, if the checkpoint has none of them (an older one).
 std::vector<std::string> compare_free_values(const std::vector<std::string>& now,
                                              const std::vector<std::string>& checkpoint);
 

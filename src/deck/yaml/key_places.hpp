@@ -16,7 +16,7 @@ class KeyPlaces {
   KeyPlaces() = default;
   explicit KeyPlaces(const Node& root);
 
-  /// Of the key, or, where the deck does not give it, of the closest map or list around it that the deck gives.
+  /// Place of the key or, where the deck does not give it, of the closest map or list around it that the deck gives.
   Place find(std::string path) const;
 
   /// Whether the deck gives the key.

@@ -18,7 +18,7 @@ inline constexpr int contact_face_cost = 1;
 /// Pieces whose nodes have their numbers in the whole mesh.
 struct NumberedChunks {
   std::vector<std::int64_t> numbers;  // [nodes of the pieces]
-  Numbering numbering;                // the same on every rank; nobody holds any chunk yet (no ranks)
+  Numbering numbering;                // the same on every rank; no rank holds a chunk yet (no ranks)
   std::vector<std::int64_t> work;     // [chunks] of its elements, on the scale of hexahedron_cost; on every rank
   Graph graph;  // rank 0: a vertex a chunk, an edge where chunks share nodes or, with contact, lie next to each other
 };

@@ -49,7 +49,7 @@ class MeshFile {
   virtual const std::vector<FileSet>& side_sets() const = 0;
   virtual const std::vector<FileSet>& element_sets() const = 0;
 
-  /// Of all nodes [length]; 0 in directions that the mesh has not.
+  /// Coordinates of all nodes [length]; 0 in directions that the mesh has not.
   virtual std::vector<Vec3> read_coordinates() const = 0;
   /// Nodes of the elements of a block, nodes_per_element for each. They may be out of range.
   virtual std::vector<std::int64_t> read_connectivity(const FileBlock& block) const = 0;

@@ -68,13 +68,13 @@ class TextBuilder {
   /// nodes: ids, as many as the kind of the block has; none if it cannot be run.
   void add_element(int block, std::int64_t id, std::span<const std::int64_t> nodes, TextPlace place);
 
-  /// Of the last element of a block [length].
+  /// Sets the thickness of the last element of a block [length].
   void set_thickness(int block, double thickness);
-  /// Of an element by its place in the block.
+  /// Sets the thickness of an element by its place in the block.
   void set_thickness(int block, std::size_t element, double thickness);
-  /// Of the shells of all blocks with this id that have none yet [length].
+  /// Sets the thickness of the shells of all blocks with this id that have none yet [length].
   void fill_thickness(std::int64_t id, double thickness);
-  /// Of a node, or of all nodes of a set; a later one counts.
+  /// Sets the thickness at a node, or at all nodes of a set; a later one counts.
   void add_node_thickness(std::int64_t node, double thickness, TextPlace place);
   void add_node_thickness_of(const std::string& set, double thickness, TextPlace place);
   /// The elements of a set, or of the blocks of that name, have the mean thickness of their nodes.
@@ -97,7 +97,7 @@ class TextBuilder {
   void add_set_elements_of(const std::string& set, const std::string& other, TextPlace place);
   void add_set_nodes_of(const std::string& set, const std::string& other, TextPlace place);
   void add_set_side(const std::string& set, ElementId element, TextSide face, TextPlace place);
-  /// Of all elements of a set, or of the blocks of that name.
+  /// Adds a side of all elements of a set, or of the blocks of that name.
   void add_set_sides_of(const std::string& set, const std::string& elements, TextSide face, TextPlace place);
   /// A face of three or four nodes.
   void add_set_face(const std::string& set, std::span<const std::int64_t> nodes, TextPlace place);
@@ -130,7 +130,7 @@ class TextBuilder {
     std::int64_t id = 0;
     std::vector<SurfaceElement> elements;
   };
-  /// Of a set: one id, a range of them, a block or another set.
+  /// Member of a set: one id, a range of them, a block or another set.
   struct Member {
     enum class What : std::uint8_t { one, range, block, set };
     What what = What::one;
@@ -139,7 +139,7 @@ class TextBuilder {
     std::string set;
     TextPlace place;
   };
-  /// Of a side set: a face of an element, of all elements of a set, or one by its nodes.
+  /// Side of a side set: a face of an element, of all elements of a set, or one by its nodes.
   struct Side {
     ElementId element;
     TextSide face;

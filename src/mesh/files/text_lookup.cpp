@@ -134,7 +134,7 @@ void TextLookup::list_faces(const std::vector<char>& on_faces) {
   std::sort(faces_.begin(), faces_.end());
 }
 
-/// The same of the triangles into which faces of a tetrahedron of ten nodes are cut.
+/// Lists the triangles into which faces of a tetrahedron of ten nodes are cut.
 void TextLookup::list_triangles(std::int64_t element, const std::vector<char>& on_faces) {
   const std::span<const std::int64_t> nodes_of = corners_of(element);
   for (int side = tet4_topology.face_count; side < tet10_sides; ++side) {
@@ -165,7 +165,7 @@ std::vector<char> TextLookup::mark_nodes_of_faces() const {
   return marks;
 }
 
-/// Of the two faces of a shell the one around which the nodes run alike.
+/// Finds, of the two faces of a shell, the one around which the nodes run in the same sense.
 FileSide TextLookup::find_face(const std::array<std::int64_t, 4>& nodes) const {
   const std::array<std::int64_t, 4> key = make_key(nodes);
   const auto found = std::lower_bound(faces_.begin(), faces_.end(), FacePlace{key, 0, 0});

@@ -62,7 +62,7 @@ class TextLookup {
   void fill_side_sets();
   void add_members(const std::string& set, const std::vector<Member>& members, bool of_nodes, int depth,
                    std::vector<std::int64_t>& numbers);
-  /// Of the elements of blocks of this name; returns whether there are such.
+  /// Adds the elements of blocks of this name; returns whether there are such.
   bool add_blocks(const std::string& name, std::vector<std::int64_t>& numbers) const;
   void add_sides(const TextBuilder::Side& side, std::vector<FileSide>& sides);
   FileSet describe_set(const std::string& name, std::size_t entries) const;

@@ -42,7 +42,7 @@ class TextSource {
 
   /// The next line without its end; false at the end of the file.
   bool next_line(std::string_view& line);
-  /// The same line again.
+  /// Goes back, so that the last line is read again.
   void step_back() {
     next_ = last_;
     --place_.line;

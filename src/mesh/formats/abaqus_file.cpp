@@ -36,7 +36,7 @@ std::optional<TextSide> find_side(const std::string& name) {
                   faces_of_tetrahedra[number], faces_of_wedges[number], faces_of_pyramids[number]};
 }
 
-/// Those that are cut into eight.
+/// Whether elements of a type are cut into eight.
 bool is_tet10(const std::string& type) { return type == "C3D10" || type == "C3D10M"; }
 
 std::optional<TopologyKind> find_kind(const std::string& type) {

@@ -47,7 +47,7 @@ const GmshType* find_type(std::int64_t number) {
   return found == types.end() ? nullptr : &found->second;
 }
 
-/// Those that can be run.
+/// Kinds of elements that can be run.
 std::string list_gmsh_kinds() {
   return "3-node triangles, 4-node quadrangles, 4-node and 10-node tetrahedra, 5-node pyramids, 6-node prisms and "
          "8-node hexahedra";
@@ -268,7 +268,7 @@ class GmshReader {
     return fmt::format("{}_{}", group_words[static_cast<std::size_t>(dimension)], group);
   }
 
-  /// Of the groups that it is in: the first is its block or its surface.
+  /// Adds an element. Of the groups that it is in, the first is its block or its surface.
   void add_element(const GmshType& type, std::int64_t id, TextPlace place) {
     nodes_.clear();
     for (int i = 0; i < type.nodes; ++i) {

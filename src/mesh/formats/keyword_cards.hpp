@@ -36,7 +36,7 @@ class KeywordCards {
   /// A field after cut(); empty if the line ends before it.
   std::string_view field(std::size_t i) const { return i < fields_.size() ? fields_[i] : std::string_view(); }
   std::size_t field_count() const { return fields_.size(); }
-  /// Of a blank field 0.
+  /// Value of a field; a blank field is 0.
   std::int64_t integer(std::size_t i) const;
   double real(std::size_t i) const;
 

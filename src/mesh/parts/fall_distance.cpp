@@ -118,7 +118,7 @@ double find_way_to_face(const Point2& point, const ProjectedTriangle& face, doub
   return 0;
 }
 
-/// Of all corners of one triangle over the other. sign: 1 where the corners fall.
+/// Shortest fall of all corners of one triangle over the other. sign: 1 where the corners fall.
 double find_way_of_corners(const ProjectedTriangle& corners, const ProjectedTriangle& face, double sign,
                            const Vec3& direction) {
   const Vec3 normal = cross(subtract(face.corners[1], face.corners[0]), subtract(face.corners[2], face.corners[0]));
@@ -132,7 +132,7 @@ double find_way_of_corners(const ProjectedTriangle& corners, const ProjectedTria
   return least;
 }
 
-/// Of two edges that cross as they are seen.
+/// Fall between two edges that cross in the projection.
 double find_way_of_edges(const ProjectedTriangle& falling, std::size_t e, const ProjectedTriangle& still, std::size_t f,
                          const Vec3& direction) {
   const std::size_t e2 = (e + 1) % 3, f2 = (f + 1) % 3;

@@ -29,7 +29,7 @@ struct MirroredOrder {
 
 MirroredOrder find_mirrored_order(const Topology& topology);
 
-/// The same shape, of which the elements are named as those of its mirror image.
+/// A shape whose elements are ordered as those of its mirror image.
 std::unique_ptr<ShapeSource> mirror_corners(std::unique_ptr<ShapeSource> source);
 
 }  // namespace percuss

@@ -36,7 +36,7 @@ std::string describe_element(const PartMesh& mesh, std::size_t element) {
   return describe_element(id_of(mesh.element_ids, element), gather_corners(mesh.elements, element, mesh.nodes));
 }
 
-/// The same for elements of one topology with the same corners.
+/// Equal for elements of one topology with the same corners.
 using CornerKey = std::pair<TopologyKind, std::array<int, most_corners>>;
 
 CornerKey make_key(const Elements& elements, std::size_t element) {

@@ -14,7 +14,7 @@ bool is_called(const FileBlock& block, const std::string& name) {
   return block.name == name || fmt::format("block_{}", block.id) == name;
 }
 
-/// Of the elements of sets whose names are chosen.
+/// Marks the elements of sets whose names are chosen.
 std::vector<char> mark_elements(const MeshFile& file, const std::vector<std::string>& wanted) {
   std::vector<char> marks;
   for (const FileSet& set : file.element_sets()) {

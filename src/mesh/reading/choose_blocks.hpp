@@ -1,5 +1,5 @@
 #pragma once
-// Which blocks and elements of a mesh file a part takes.
+// Blocks and elements of a mesh file that a part takes.
 
 #include <string>
 #include <vector>

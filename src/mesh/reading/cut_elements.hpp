@@ -24,7 +24,7 @@ inline bool is_cut(const FileBlock& block) {
 std::size_t find_shortest_diagonal(std::span<const int> nodes, const std::vector<Vec3>& x,
                                    const std::vector<std::int64_t>& ids);
 
-/// Of one part: which of its elements come from one that was cut. The pieces of one follow each other.
+/// Elements of a part that come from one that was cut. The pieces of one follow each other.
 class CutElements {
  public:
   void add(int first_piece) { first_.push_back(first_piece); }

@@ -176,7 +176,7 @@ class PartReader {
     mesh_.elements.add(find_block(block.name, kind), nodes);
   }
 
-  /// That of a block of the file, of which triangles among quadrilaterals are one of their own.
+  /// The block of the part for a block of the file; triangles among quadrilaterals form one of their own.
   int find_block(const std::string& name, TopologyKind kind) {
     std::vector<ElementBlock>& blocks = mesh_.elements.blocks;
     const auto found = std::find_if(blocks.rbegin(), blocks.rend(), [&](const ElementBlock& block) {
@@ -314,7 +314,7 @@ class PartReader {
     }
   }
 
-  /// Those that generated shells have too, unless the file has sets of these names.
+  /// Names the sides that generated shells have too, unless the file has sets of these names.
   void name_sides_of_shells() {
     std::vector<ElementFace> tops, bottoms;
     for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e) {

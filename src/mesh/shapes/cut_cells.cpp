@@ -49,7 +49,7 @@ class CutSource : public ShapeSource {
   int elements_of_cell_;
 };
 
-/// The same with a node in the middle of each cell.
+/// Cells that are cut with a node in the middle of each.
 class CenteredSource : public CutSource {
  public:
   using CutSource::CutSource;
@@ -156,7 +156,7 @@ class SixTetSource final : public BareTetSource {
   explicit SixTetSource(std::unique_ptr<ShapeSource> cells) : BareTetSource(std::move(cells), 6) {}
 
  private:
-  /// Of each of the three faces without the lowest node two halves, in the order of the faces.
+  /// Takes two halves of each of the three faces without the lowest node, in the order of the faces.
   Tetrahedron find_places(const Corners& hexahedron, int tetrahedron) const override {
     const auto node = [&](int place) { return hexahedron[static_cast<std::size_t>(place)]; };
     int apex = 0;
@@ -179,7 +179,7 @@ class FiveTetSource final : public BareTetSource {
 
  private:
   Tetrahedron find_places(const Corners& hexahedron, int tetrahedron) const override {
-    // Of a cell whose first node is even; of another all places are one farther around their face.
+    // A cell whose first node is even has these; in another all places are one farther around their face.
     static constexpr Tetrahedron of_even[5] = {{0, 2, 7, 5}, {1, 2, 0, 5}, {3, 0, 2, 7}, {4, 7, 5, 0}, {6, 5, 7, 2}};
     Tetrahedron places = of_even[tetrahedron];
     if (!cells_->is_odd(hexahedron[0])) return places;

@@ -69,7 +69,7 @@ class RoundedLattice {
   }
 
  private:
-  /// The same for the wedge of points with falling, positive distances: by symmetry the only one to define.
+  /// The place in the wedge of points with falling, positive distances: by symmetry the only one to define.
   Point place_sorted(const Index& distance, int ring) const {
     if (distance[0] == 0) return {};
     const double level = double(distance[0]) / split_.core;  // 1 on the boundary of the core

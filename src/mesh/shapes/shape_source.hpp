@@ -31,7 +31,7 @@ class ShapeSource {
   virtual int node_count() const = 0;
   virtual int element_count() const = 0;
 
-  /// Of all elements.
+  /// Topology of all elements.
   virtual TopologyKind topology() const { return TopologyKind::hex8; }
 
   /// Nodes of an element, in the order of its topology.
@@ -47,8 +47,8 @@ class ShapeSource {
   /// Bit s: the node lies on side s.
   virtual unsigned node_sides(int node) const = 0;
 
-  /// Of a solid shape: nodes of a cell's edge are one odd, one even, wherever every closed path of edges has an even
-  /// number of them.
+  /// Colours the nodes of a solid shape: nodes of a cell's edge are one odd, one even, wherever every closed path of
+  /// edges has an even number of them.
   virtual bool is_odd(int /*node*/) const { return false; }
 
   /// Grids that hold every cell once.
@@ -64,9 +64,9 @@ inline ShapeSource::FaceSides name_shell_sides(int bottom, int top) {
   return sides;
 }
 
-/// The same solid of other elements, whose faces match. A cell becomes twelve tetrahedra or six pyramids, of which the
-/// mean of its corners is a node, too, six or five tetrahedra between its own nodes, or two wedges along its third
-/// direction.
+/// A solid of other elements in the same shape, whose faces match. A cell becomes twelve tetrahedra or six pyramids, of
+/// which the mean of its corners is a node, too, six or five tetrahedra between its own nodes, or two wedges along its
+/// third direction.
 std::unique_ptr<ShapeSource> cut_cells(std::unique_ptr<ShapeSource> cells, PartDeck::Elements elements);
 
 /// The source of a generated shape; null for a mesh from a file.

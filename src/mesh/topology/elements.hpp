@@ -81,7 +81,7 @@ class Elements {
   int block_index(std::size_t element) const { return blocks_[element]; }
   const ElementBlock& block_of(std::size_t element) const { return blocks[static_cast<std::size_t>(blocks_[element])]; }
   const Topology& topology_of(std::size_t element) const { return find_topology(block_of(element).topology); }
-  /// Of a surface [length]; 0 of others.
+  /// Thickness of a surface element [length]; 0 of others.
   double thickness_of(std::size_t element) const {
     return own_thickness.empty() ? block_of(element).section.thickness : own_thickness[element];
   }
@@ -95,7 +95,7 @@ class Elements {
     return four;
   }
 
-  /// The same for two faces with the same nodes: ascending, each once, beyond the last the largest int.
+  /// A key that is equal for two faces with the same nodes: ascending, each once, beyond the last the largest int.
   std::array<int, 4> face_key(const ElementFace& face) const {
     const auto e = static_cast<std::size_t>(face.element);
     const std::span<const int> nodes = corners(e);
@@ -126,7 +126,7 @@ class Elements {
     add(block, std::span<const int>(nodes.begin(), nodes.size()));
   }
 
-  /// The same blocks with these elements of it, in their order.
+  /// A copy of the blocks with these elements alone, in their order.
   Elements select(std::span<const int> elements) const {
     Elements selected;
     selected.blocks = blocks;

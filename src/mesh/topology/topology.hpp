@@ -45,7 +45,7 @@ struct Topology {
   int corner_count = 0, face_count = 0, edge_count = 0;
   std::array<FaceCorners, most_faces> face_table{};
   std::array<std::array<int, 2>, most_edges> edge_table{};  // of a surface around it, along its normal
-  /// Of a solid: the three corners joined to each by an edge, right-handed.
+  /// The three corners of a solid that an edge joins to each, right-handed.
   std::array<std::array<int, 3>, most_corners> corner_edges{};
   /// What kernels see: the corners, then some of them again if there are fewer.
   std::array<int, kernel_corner_count> kernel_corners{};

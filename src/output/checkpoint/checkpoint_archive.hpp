@@ -19,7 +19,7 @@ namespace percuss {
 
 struct ChunkedMesh;
 
-/// Which rows of an array belong to which chunk.
+/// Rows of an array by chunk.
 struct ChunkRows {
   std::vector<std::int64_t> counts;  // [chunks of this rank, ascending number] rows that each has
   std::vector<int> places;           // [rows] where each stands in this rank's array; empty: in their order from 0
@@ -59,8 +59,8 @@ class CheckpointArchive {
     each(name, values, [](double& value, const auto& take) { take(value); });
   }
 
-  /// Those of a list, under one name. visit(row, take): calls take(...) with all numbers of a row, doubles or 64-bit
-  /// integers.
+  /// Saves or loads the rows of a list under one name. visit(row, take): calls take(...) with all numbers of a row,
+  /// doubles or 64-bit integers.
   template <class Rows, class Visit>
   void each(const std::string& name, Rows&& rows, const Visit& visit) {
     std::vector<std::int64_t> all;

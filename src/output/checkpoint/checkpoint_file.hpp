@@ -130,7 +130,7 @@ class CheckpointReader : public CheckpointArchive {
   std::uint64_t file_bytes_ = 0;
   hdf5::Handle file_;
   CheckpointHeader header_;
-  /// Of a name, in numbers_.
+  /// Place of a name's numbers in numbers_.
   struct Place {
     std::size_t first = 0, count = 0;
   };

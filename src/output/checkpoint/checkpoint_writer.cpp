@@ -252,7 +252,7 @@ void CheckpointWriter::compare() const {
         throw hdf5::Error("read back the header", "it is not what was written");
     } catch (const hdf5::Error& error) {
       throw SystemError(make_message(error));
-    } catch (const InputError& error) {  // what was just written is nobody's input
+    } catch (const InputError& error) {  // what was just written is no input
       throw SystemError(
           fmt::format("cannot write '{}' (it cannot be read back: {}){}", path_, error.what(), suggest_for_errno(EIO)));
     }

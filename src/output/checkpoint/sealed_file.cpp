@@ -33,8 +33,8 @@ std::uint64_t hash_seal(const Seal& seal) {
   return mix_bits(mix_bits(mix_bits(seal.mark) ^ static_cast<std::uint64_t>(seal.bytes)) ^ seal.hash);
 }
 
-/// Of a block, zeros behind its end. Every step can be undone, so that a change of one word always shows; four lanes,
-/// because one would wait for its own multiplications.
+/// Hash of a block, zeros behind its end. Every step can be undone, so that a change of one word always shows; four
+/// lanes, because one would wait for its own multiplications.
 std::uint64_t hash_block(const std::vector<std::uint64_t>& words, std::int64_t index) {
   std::uint64_t lane[4] = {1, 2, 3, 4};
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -88,7 +88,7 @@ std::optional<Seal> find_seal(const std::string& path) {
   return seal;
 }
 
-/// Of a file that was just sealed.
+/// Checks a file that was just sealed.
 void check_whole(const std::string& path, const Seal& seal) {
   const auto found = find_seal(path);
   if (found && found->hash == seal.hash) return;

@@ -19,7 +19,7 @@ void seal_file(const Communicator& ranks, const std::string& path);
 /// Collective.
 void check_seal(const Communicator& ranks, const std::string& path);
 
-/// The same by this process alone, also without MPI.
+/// Checks a seal by this process alone, also without MPI.
 void check_seal(const std::string& path);
 
 /// Whether there is a file whose seal fits; false for what cannot be read. By this process alone.

@@ -38,7 +38,7 @@ struct ExodusBlock {
   }
 };
 
-/// Those that have elements. Collective. Throws MpiError.
+/// Blocks that have elements. Collective. Throws MpiError.
 std::vector<ExodusBlock> list_exodus_blocks(const ChunkedMesh& chunked, const Communicator& ranks);
 
 /// Corners of this rank's elements of a block as nodes of the file: [local][corners], from 1.

@@ -22,7 +22,7 @@ struct ExodusSets {
   std::vector<ExodusSet> of_nodes, of_sides;
 };
 
-/// Those of the options that have members. Collective. Throws MpiError.
+/// Sets of the options that have members. Collective. Throws MpiError.
 ExodusSets list_exodus_sets(const Mesh& mesh, const std::vector<ExodusBlock>& blocks, const FieldsOptions& options,
                             const Communicator& ranks);
 

@@ -22,7 +22,7 @@ class NetcdfDimensions {
 
   /// Says which dimensions a dataset has.
   void attach(hid_t dataset, std::span<const std::string> names) const;
-  /// The same of a dataset below the file.
+  /// Attaches dimensions to a dataset below the file.
   void attach(hid_t file, const std::string& dataset, std::span<const std::string> names) const;
 
   std::size_t length(const std::string& name) const { return lengths_.at(name); }

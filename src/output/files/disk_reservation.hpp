@@ -22,8 +22,8 @@ class DiskReservation {
   /// Gives back what lies behind the first `size` bytes.
   void trim(std::uint64_t size) const;
 
-  /// The same as trim() for an owner that has cut the file to its data by itself, unless they fitted in before: if the
-  /// file is still as long as reserve() made it, all that was reserved is given back.
+  /// Does as trim() does, for an owner that has cut the file to its data by itself, unless they fitted in before: if
+  /// the file is still as long as reserve() made it, all that was reserved is given back.
   void trim_if_unused() const;
 
   /// Gives back all room of the file, which is empty then. Without an error: it is for a file that is given up.

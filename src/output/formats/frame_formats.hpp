@@ -19,7 +19,7 @@ struct FrameFormat {
   FieldsFormat format;                  // in the deck
   const FrameLayout& layout;            // of the file that holds the frames
   std::vector<const char*> index_ends;  // endings of the names of files beside it, which hold none
-  bool wants_sets;                      // FieldsOptions::node_sets and side_sets; otherwise nobody gathers them
+  bool wants_sets;                      // FieldsOptions::node_sets and side_sets; otherwise they are not gathered
 
   /// Creates the files with the mesh: cells, ids, parts. Old ones are replaced. Throws SystemError.
   std::unique_ptr<FrameWriter> (*create)(const FrameTarget& target);
@@ -35,7 +35,7 @@ struct FrameFormat {
 /// In the order of FieldsFormat.
 const std::vector<FrameFormat>& frame_formats();
 
-/// Those of an output.
+/// Formats of an output.
 std::vector<const FrameFormat*> list_formats(const FieldsDeck& fields);
 
 /// Throws InputError, on all ranks, if a file of the folder has not this mesh, so many frames and the fields of these

@@ -49,7 +49,7 @@ class RegionNodes {
     for (std::size_t i = 0; i < received.size(); ++i) numbers_[at(foreign_[i])] = received[i];
   }
 
-  /// Of each node; negative where the region does not use it.
+  /// Number of each node in the region; negative where the region does not use it.
   const std::vector<std::int64_t>& numbers() const { return numbers_; }
 
  private:
@@ -92,7 +92,7 @@ std::vector<std::int64_t> sum_up(std::span<const std::int64_t> counts) {
   return first;
 }
 
-/// Which chunk of this rank each cell is in.
+/// The chunk of this rank that each cell is in.
 std::vector<std::size_t> find_chunks(const std::vector<Chunk>& chunks, std::span<const RegionCell> cells) {
   std::vector<std::size_t> of_cells;
   std::size_t chunk = 0;

@@ -16,8 +16,8 @@
 namespace percuss {
 
 struct FieldRegion {
-  /// Of this rank: numbers of nodes and elements, parts and sets are those of the region. Chunks keep their numbers;
-  /// one without elements is not among them.
+  /// Mesh of this rank: numbers of nodes and elements, parts and sets are those of the region. Chunks keep their
+  /// numbers; one without elements is not among them.
   ChunkedMesh chunked;
   std::vector<int> nodes;     // [nodes] each in this rank's share of the whole mesh, ascending
   std::vector<int> elements;  // [elements] likewise; of a face that to which it belongs

@@ -119,7 +119,7 @@ void DurableFile::compare() {
         throw Error("read back the number of frames", "it is not what was written");
     } catch (const Error& error) {
       throw SystemError(make_message("write", error));
-    } catch (const InputError& error) {  // it is damaged, and nobody's input
+    } catch (const InputError& error) {  // it is damaged, and no input
       throw SystemError(make_message("write", Error("read it back", error.what())));
     }
   };

@@ -51,7 +51,7 @@ class DurableFile {
   /// Waits until the disk has the frames written so far, and looks whether all are there.
   void sync();
 
-  /// The same, and closes.
+  /// Makes the file durable as above, and closes it.
   void close();
 
   /// Whether the path still leads to this file, as rank 0 sees it.

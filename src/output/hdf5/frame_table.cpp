@@ -35,7 +35,7 @@ void FrameTable::append(std::span<const double> values, const RowBlock& block) {
     block.record->add_part(id(), {frame, block.first, block.count}, H5T_NATIVE_DOUBLE, values.data());
   const Handle in_file(check(H5Dget_space(id()), action), H5Sclose);
   const std::array<hsize_t, 2> first{frame, block.first}, count{1, block.count};
-  // Of the shape that it has in the file: HDF5 looks up shapes that differ number by number.
+  // The shape in memory is that of the file: HDF5 looks up shapes that differ number by number.
   const Handle in_memory(
       check(H5Screate_simple(H5Sget_simple_extent_ndims(in_file.get()), count.data(), nullptr), action), H5Sclose);
   if (block.count == 0) {  // takes part all the same

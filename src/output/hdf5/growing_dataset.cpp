@@ -3,7 +3,7 @@
 namespace percuss::hdf5 {
 namespace {
 
-// Of the HDF5 file format specification, "Version 1 B-trees", with addresses and lengths of 8 bytes: a node has a
+// From the HDF5 file format specification, "Version 1 B-trees", with addresses and lengths of 8 bytes: a node has a
 // header, keys of a chunk's size, filters and offsets (one more than the dimensions), and the addresses of its entries.
 constexpr hsize_t node_header = 24, entry_bytes = 8 + (4 + 4 + 8 * 3);
 

@@ -92,7 +92,7 @@ std::vector<T> read_rows(hid_t parent, const std::string& name, hsize_t first, h
   const std::array<hsize_t, 2> start{first, 0}, count{rows, shape.components};
   check(H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
         "read " + name);
-  // Of the shape that they have in the file: HDF5 looks up shapes that differ number by number.
+  // The shape in memory is that of the file: HDF5 looks up shapes that differ number by number.
   const int dimensions = H5Sget_simple_extent_ndims(in_file.get());
   const Handle in_memory(check(H5Screate_simple(dimensions, count.data(), nullptr), "read " + name), H5Sclose);
   check(H5Dread(dataset.get(), memory_type<T>(), in_memory.get(), in_file.get(), H5P_DEFAULT, values.data()),

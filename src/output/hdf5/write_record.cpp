@@ -29,7 +29,7 @@ std::uint64_t hash_units(const void* data, std::uint64_t first, std::size_t coun
   return sum;
 }
 
-/// The same of rows of a dataset: numbers of 8, 4 or 1 bytes, or texts, which are hashed byte by byte.
+/// Hash of rows of a dataset: numbers of 8, 4 or 1 bytes, or texts, which are hashed byte by byte.
 std::uint64_t hash_rows(const void* data, std::size_t number_bytes, hsize_t numbers_per_row, hsize_t first,
                         hsize_t rows) {
   const auto at = [&](std::size_t per_number) { return first * numbers_per_row * per_number; };
@@ -75,7 +75,7 @@ void read_piece(hid_t dataset, const Layout& layout, const Piece& piece, std::ve
   const Handle in_file(check(H5Dget_space(dataset), action), H5Sclose);
   check(H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, piece.start.data(), nullptr, piece.extent.data(), nullptr),
         action);
-  // Of the shape that it has in the file: HDF5 looks up shapes that differ number by number.
+  // The shape in memory is that of the file: HDF5 looks up shapes that differ number by number.
   const Handle in_memory(check(H5Screate_simple(layout.dimensions, piece.extent.data(), nullptr), action), H5Sclose);
   check(H5Dread(dataset, layout.memory_type.get(), in_memory.get(), in_file.get(), H5P_DEFAULT, values.data()), action);
 }

@@ -70,7 +70,7 @@ struct Cells {
 /// rows: [elements][cell_row]
 Cells list_cells(std::span<const std::int64_t> rows);
 
-/// The same as XDMF wants cells of several kinds: each begins with its type, a line also with the number of its nodes.
+/// Cells as XDMF wants those of several kinds: each begins with its type, a line also with the number of its nodes.
 std::vector<std::int64_t> list_mixed_topology(const Cells& cells);
 
 }  // namespace percuss

@@ -50,7 +50,7 @@ void write_slab(Out out, const XdmfIndex& index, const Dataset& data, const Slab
   fmt::format_to(out, "\n    </DataItem>");
 }
 
-// Which rows a grid has, and whether its fields are labelled: names with units, tensors by component.
+// Rows of a grid, and whether its fields are labelled: names with units, tensors by component.
 struct Grid {
   MeshExtent rows;
   bool labelled = false;

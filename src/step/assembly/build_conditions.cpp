@@ -178,7 +178,7 @@ struct HeldLists {
   Rows3<double> inverse;  // [nodes] 1 / mass, 0 in held directions and where there is no mass
 };
 
-/// Those of three directions from the first on. mass: [node] mass, or rotary inertia.
+/// Lists held directions of three, from the first on. mass: [node] mass, or rotary inertia.
 HeldLists list_held(const HeldMap& held, int first, const ChunkedMesh& chunked, const RigidMap& rigid,
                     const std::vector<double>& mass) {
   std::vector<std::array<double, 3>> inverse(mass.size());

@@ -24,7 +24,7 @@ LocalSlots build_pressure_faces(const Deck& deck, const ChunkedMesh& chunked, Mo
 /// `slots` and, by load, of the sum of a node. Throws InputError: unknown sets.
 void build_nodal_loads(const Deck& deck, const ChunkedMesh& chunked, LocalSlots& slots, Model& model);
 
-/// Which sensors switch which loads and conditions.
+/// Connects sensors with the loads and conditions that they switch.
 void build_switches(const Deck& deck, Model& model);
 
 /// Finds the held directions and their motions, and the inverse mass, which is 0 in them and of rigid nodes; what is
@@ -39,8 +39,8 @@ struct MassPoint {
   Vec3 center{};
 };
 
-/// Those of the given nodes of all ranks: each rank gives the ones that it has, copies of others' included. mass:
-/// [node].
+/// Mass and centre of the given nodes of all ranks: each rank gives the ones that it has, copies of others' included.
+/// mass: [node].
 MassPoint find_mass_point(const ChunkedMesh& chunked, const std::vector<int>& nodes, const std::vector<double>& mass);
 
 /// Sets the velocity at time 0; of several that name a node the last one in the deck holds. A radial velocity leaves

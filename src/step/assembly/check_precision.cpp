@@ -25,7 +25,7 @@ constexpr Held held[] = {{"volumes", 1e-15, 1e15},
                          {"products of lambda + 2 mu and volume", 1e-16, 1e16}};
 constexpr std::size_t count = std::size(held);
 
-/// Of shells and beams.
+/// Refuses shells and beams too thin for the precision.
 void refuse_thin_elements(const Deck& deck, const Mesh& mesh) {
   for (const ElementBlock& block : mesh.elements.blocks) {
     const Topology& topology = find_topology(block.topology);

@@ -27,7 +27,8 @@ Vec3 find_radial_velocity(const RadialVelocityDeck& radial, const Vec3& point, d
   return out;
 }
 
-/// Of some nodes: rigid bodies of parts count whole, by their own masses, where all of their nodes are among them.
+/// Centre of mass of some nodes: rigid bodies of parts count whole, by their own masses, where all of their nodes are
+/// among them.
 Vec3 find_mass_center(const ChunkedMesh& chunked, const std::vector<int>& nodes, const RigidMap& rigid,
                       const std::vector<double>& mass, const Model& model) {
   const auto& bodies = model.rigid.bodies;

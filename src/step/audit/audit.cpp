@@ -86,8 +86,8 @@ void add_spins(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model
   for (std::size_t i = 0; i < totals.size(); ++i) totals[i].merge(of_spins[i]);
 }
 
-/// Of forces that hold each other: a scene at rest has no momentum and no energy, and its balances are round-off of
-/// what they amount to.
+/// Share of the forces that hold each other: a scene at rest has no momentum and no energy, and its balances are
+/// round-off of what they amount to.
 constexpr double rest_share = 1e-6;
 
 /// What forces of joints amount to.

@@ -13,7 +13,7 @@
 namespace percuss {
 namespace {
 
-/// Of a name with its part, whether that can fail; of another, whether any can.
+/// Whether the part of a block can fail; for a name without a part, whether any part can.
 bool can_block_fail(const Deck& deck, const std::string& name) {
   const std::string part = name.substr(0, name.find('/'));
   const auto found = std::find_if(deck.parts.begin(), deck.parts.end(), [&](const auto& p) { return p.name == part; });

@@ -41,7 +41,7 @@ void book_conditions(const Model& model, ExactSums<7>& held_sums, State& state, 
   add_to_books(sums, 1, state.books);
 }
 
-/// The same for held rotations: moment impulses without a lever.
+/// Books held rotations: moment impulses without a lever.
 void book_spin_conditions(ExactSums<7>& held_sums, State& state, double dt, double dt_mean) {
   if (state.owned_held_spins.extent(0) == 0) return;
   const auto owned = state.owned_held_spins;

@@ -74,7 +74,7 @@ class Bookkeeper {
   const Model& model_;
   ExactSums<7> held_sums_{"percuss::held_sums"};  // work, impulse, moment of impulse
   ExactSums<1> held_force_sum_{"percuss::held_force_sum"};
-  // Of pressure: impulse and its moment; work. Runs of faces are few.
+  // Sums of pressure: impulse and its moment; work. Runs of faces are few.
   ExactSums<6> pressure_sums_{"percuss::pressure_impulses", runs_of_a_block};
   ExactSums<1> pressure_work_{"percuss::pressure_work", runs_of_a_block};
   ExactSums<7> nodal_sums_{"percuss::nodal_sums"};  // work, impulse, moment of impulse of loads on nodes

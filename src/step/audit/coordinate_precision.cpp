@@ -56,7 +56,7 @@ double find_largest_coordinate(const Mesh& mesh, std::size_t e) {
   return largest;
 }
 
-/// Of this rank. Contact measures everything by the largest coordinate of the scene.
+/// Worst element of this rank. Contact measures everything by the largest coordinate of the scene.
 WorstElement find_own_worst(const ChunkedMesh& chunked, bool in_contact) {
   const Mesh& mesh = chunked.mesh;
   double farthest = 0;
@@ -71,7 +71,7 @@ WorstElement find_own_worst(const ChunkedMesh& chunked, bool in_contact) {
   return worst;
 }
 
-/// Of all ranks; of equals the one with the lowest number.
+/// Worst element of all ranks; of equals the one with the lowest number.
 WorstElement find_worst(const ChunkedMesh& chunked, bool in_contact) {
   const Communicator ranks = find_ranks(chunked.mesh);
   WorstElement own = find_own_worst(chunked, in_contact);

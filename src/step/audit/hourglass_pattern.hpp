@@ -18,8 +18,8 @@ struct HourglassDisplacement {
   double square = 0;  // sum over the corners [length^2]
 };
 
-/// Of a hexahedron, or a shell of four corners: its corners at the start and now. Zero for every linear motion, such as
-/// a rotation, of an element of any shape. Of other elements zero.
+/// Displacement in hourglass modes of a hexahedron or a shell of four corners: from its corners at the start and now.
+/// Zero for every linear motion, such as a rotation, of an element of any shape. Of other elements zero.
 HourglassDisplacement find_hourglass_displacement(const Topology& topology, std::span<const Vec3> start,
                                                   std::span<const Vec3> now);
 

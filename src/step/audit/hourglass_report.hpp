@@ -1,5 +1,5 @@
 #pragma once
-// Which parts hold much of their energy in hourglass modes, and where: for the end of a run, not for its steps.
+// Parts that hold much of their energy in hourglass modes, and where: for the end of a run, not for its steps.
 
 #include <string>
 #include <vector>
@@ -14,8 +14,8 @@ namespace percuss {
 struct PartHourglass {
   std::string part;
   double stored = 0;  // of stresses, and of bending where the control resists it as the material does
-  // That of motion which alternates from element to element; the rest is that of bending and twist. Or all of it, where
-  // another control than the stiffness of the material bends the elements, and holds more than `whole_share`.
+  // Energy of motion that alternates from element to element; the rest is that of bending and twist. Or all of it,
+  // where another control than the stiffness of the material bends the elements, and holds more than `whole_share`.
   double hourglass = 0;
   std::string element;    // "element 7 of part 'bar' at (1, 2, 3)": where most of it is
   bool is_fluid = false;  // it has no shear stiffness

@@ -42,7 +42,7 @@ class LinearConstraints {
   /// sum a_i v_i of a row.
   double sum(std::size_t row, const std::vector<double>& of_unknowns) const;
 
-  // Of the last solve():
+  // Results of the last solve():
   const std::vector<double>& row_impulses() const { return found_; }  // [rows]
   const std::vector<double>& impulses() const { return impulse_; }    // [unknowns]
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which nodes and rigid bodies of a model are damped, from the deck.
+// Nodes and rigid bodies of a model that are damped, from the deck.
 
 #include "src/deck/deck.hpp"
 #include "src/mesh/ordering.hpp"
@@ -8,7 +8,7 @@
 
 namespace percuss {
 
-/// Of several entries of the deck that name a node the last one holds. Rigid bodies are there. Collective. Throws
+/// Where several entries of the deck name a node, the last one holds. Rigid bodies are there. Collective. Throws
 /// InputError, the same on all ranks: unknown sets, and entries that damp a part of a rigid body.
 void build_damping(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& rigid, Model& model);
 

@@ -12,7 +12,7 @@
 namespace percuss {
 namespace {
 
-/// Of a part; rigid ones have none.
+/// Damping factor of a part; rigid ones have none.
 double find_factor(const Deck& deck, int part) {
   return deck.parts[at(part)].rigid ? 0 : deck.find_elements(at(part)).stiffness_damping;
 }

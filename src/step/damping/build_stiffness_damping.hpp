@@ -1,5 +1,5 @@
 #pragma once
-// Which elements of a model are damped in proportion to their stiffness, from the deck.
+// Elements of a model that are damped in proportion to their stiffness, from the deck.
 
 #include "src/deck/deck.hpp"
 #include "src/mesh/ordering.hpp"

@@ -21,12 +21,12 @@ class DampingStage : public Action {
   explicit DampingStage(const Model& model);
 
   void begin_step(const State& state, const StepTimes& times) override;
-  /// Of the step, by entry of the deck [1 / time].
+  /// Coefficients of the step, by entry of the deck [1 / time].
   const std::vector<double>& coefficients() const { return values_; }
 
   void change_velocities(State& state, const StepTimes& times) override;
   double bound_component(const State& state, double predicted) const override;
-  /// Of the nodes of shells and beams.
+  /// Damps the spins of the nodes of shells and beams.
   void change_spins(State& state, const StepTimes& times) override;
   void book_motion(State& state, const StepTimes& times) override;
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which compiled variant of the element computes a chunk, with which constants, and what its records hold: the place
+// The compiled variant of the element that computes a chunk, its constants, and what its records hold: the place
 // where the materials of a deck become those of the kernels.
 
 #include <algorithm>
@@ -102,7 +102,7 @@ struct BlockBuilder {
     return find_topology(find_block(chunked, chunk).topology).family;
   }
 
-  /// Of a chunk of hexahedra. What is not elastic yields, as for shells.
+  /// Kind of a chunk of hexahedra. What is not elastic yields, as for shells.
   HexKind find_kind(const Chunk& chunk) const {
     const auto& material = materials[static_cast<std::size_t>(find_block(chunked, chunk).material)].material;
     return percuss::find_kind(find_elements(chunk), std::holds_alternative<Elastic>(material)

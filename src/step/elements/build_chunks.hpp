@@ -9,7 +9,7 @@ namespace percuss {
 /// Fills model.chunks, the blocks of each kind of element and the history at the start.
 void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model);
 
-/// Chunks of rigid parts and of skins, of which nobody computes anything.
+/// Chunks of rigid parts and of skins, which are not computed.
 void mark_uncomputed_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model);
 
 }  // namespace percuss

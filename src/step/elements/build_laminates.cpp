@@ -34,7 +34,7 @@ PlaneStiffness find_stiffness(const OrthotropicPly& ply) {
   return {ply.e1 * over, ply.e2 * over, ply.nu21 * ply.e1 * over, ply.g12};
 }
 
-/// Of a direction at the ply's angle (Jones, section 2.6).
+/// Stiffness Q11 in a direction at the ply's angle (Jones, section 2.6).
 double turn_q11(const PlaneStiffness& q, double cosine, double sine) {
   const double cc = cosine * cosine, ss = sine * sine;
   return q.q11 * cc * cc + 2 * (q.q12 + 2 * q.q66) * cc * ss + q.q22 * ss * ss;

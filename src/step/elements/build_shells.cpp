@@ -166,7 +166,7 @@ void add_start_history(const Layer& layer, int elements, std::size_t c, const Ch
   }
 }
 
-/// Of laminates: where their reference axis points.
+/// Adds to records of laminates where their reference axis points.
 void add_reference_axes(const Deck& deck, const ChunkedMesh& chunked, std::size_t c, const ChunkRecords& records) {
   const Chunk& chunk = chunked.chunks[c];
   const Mesh& mesh = chunked.mesh;
@@ -193,7 +193,7 @@ void add_reference_axes(const Deck& deck, const ChunkedMesh& chunked, std::size_
   }
 }
 
-/// Of fabric: where the threads of each membrane lie, by its diagonals.
+/// Adds to records of fabric where the threads of each membrane lie, by its diagonals.
 void add_threads(const Deck& deck, const ChunkedMesh& chunked, std::size_t c, const ChunkRecords& records) {
   const Chunk& chunk = chunked.chunks[c];
   const MaterialDeck& material = deck.materials[static_cast<std::size_t>(find_block(chunked, chunk).material)];

@@ -13,7 +13,7 @@ namespace percuss {
 /// Whether the elements of a chunk are shells.
 bool is_shell_chunk(const ChunkedMesh& chunked, const Chunk& chunk);
 
-/// Whether nobody computes the elements of a chunk.
+/// Whether the elements of a chunk are not computed.
 inline bool is_uncomputed_chunk(const Deck& deck, const Chunk& chunk) {
   return is_uncomputed(deck, static_cast<std::size_t>(chunk.part));
 }

@@ -78,7 +78,7 @@ class CornerGroups {
  public:
   using Lists = std::vector<std::vector<std::uint16_t>>;
 
-  /// Of the slots of one chunk. beyond: the element past its lanes.
+  /// Adds the slots of one chunk. beyond: the element past its lanes.
   void add(const Lists& slots, int beyond) {
     std::vector<std::size_t> order(slots.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

@@ -25,7 +25,7 @@ class ElementStage {
   /// The forces at n+1 of some chunks into their slots, and those of damping in proportion to stiffness.
   void advance(const State& state, const ElementBlocks& blocks, const ElementMotion& motion) const;
 
-  /// Which elements fail by the forces at n+1, and which die. dt: of the step; time: n+1.
+  /// Finds elements that fail by the forces at n+1, and elements that die. dt: of the step; time: n+1.
   FailureCounts judge(const State& state, double dt, double time) const;
 
   /// The step that a chunk allows with its damping. bound: without it.

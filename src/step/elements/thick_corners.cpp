@@ -29,7 +29,7 @@ double find_square_across(const Mesh& mesh, const Nodes& nodes) {
   return sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2];
 }
 
-/// Of equally short ones the last.
+/// The shortest direction; of equally short ones the last.
 std::size_t find_shortest(const Mesh& mesh, const Nodes& nodes) {
   std::size_t shortest = 2;
   double least = find_square_across(mesh, nodes);

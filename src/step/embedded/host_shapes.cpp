@@ -9,7 +9,7 @@
 namespace percuss {
 namespace {
 
-/// Of the corners at natural coordinates.
+/// Shape functions of the corners at natural coordinates, and their slopes.
 struct Shapes {
   std::array<double, most_corners> value{};
   std::array<Vec3, most_corners> slope{};

@@ -44,7 +44,7 @@ class Accelerometers : public Action {
   void resume(const State& state) override;
 
   std::vector<HistoryColumn> list_columns() const override;
-  /// The same on every rank.
+  /// Appends the same values on every rank.
   void append_values(const State& state, std::vector<double>& row) override;
 
  private:

@@ -90,7 +90,7 @@ std::array<ExactSum, 6>& ForceBooks::find_sums(std::size_t force) {
   return sums_[place];
 }
 
-/// Of all ranks; they begin anew.
+/// Takes the sums of all ranks, which begin anew.
 ContactImpulse ForceBooks::take_sums(std::size_t force) {
   std::array<ExactSum, 6>& sums = find_sums(force);
   sum_over_ranks(ranks_, sums);

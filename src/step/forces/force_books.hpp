@@ -22,7 +22,7 @@ class ForceBooks : public Action {
   ForceBooks(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact,
              const std::vector<Wrench>& reactions);
 
-  /// Of supports and sections.
+  /// Books forces of supports and sections.
   void book_motion(State& state, const StepTimes& times) override;
 
   void set_switches(State& state) override { renew_supports(state); }

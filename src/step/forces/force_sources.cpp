@@ -15,7 +15,7 @@
 namespace percuss {
 namespace {
 
-/// Those of the listed entries whose node is marked.
+/// The listed entries whose node is marked.
 std::vector<int> list_entries(const Array<int>& owned, const HeldDirections& held, const std::vector<char>& marked) {
   std::vector<int> entries;
   if (owned.extent(0) == 0) return entries;

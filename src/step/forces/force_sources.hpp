@@ -20,7 +20,7 @@ class SupportForce {
   /// After sensors have switched conditions.
   void renew(const State& state);
 
-  /// Of this rank's nodes in a step. Call with v at n+1/2, x and forces at n. reactions: of rigid bodies, empty
+  /// Impulse on this rank's nodes in a step. Call with v at n+1/2, x and forces at n. reactions: of rigid bodies, empty
   /// without.
   ImpulseSums find_impulse(const State& state, double dt_mean, const std::vector<Wrench>& reactions);
 
@@ -52,7 +52,7 @@ class SectionForce {
   /// Collective. Throws InputError, on all ranks, if the plane cuts no element, or the elements have none of the nodes.
   SectionForce(const Deck& deck, const ForceDeck& force, const ChunkedMesh& chunked, const Model& model);
 
-  /// Of this rank's elements in a step. Call with x and forces at n.
+  /// Impulse of this rank's elements in a step. Call with x and forces at n.
   ImpulseSums find_impulse(const State& state, double dt_mean);
 
  private:

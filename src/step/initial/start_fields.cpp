@@ -25,7 +25,7 @@
 namespace percuss {
 namespace {
 
-/// Of the longest edge of the scene: smaller displacements are round-off.
+/// Share of the longest edge of the scene below which displacements are round-off.
 constexpr double noted_displacement = 1e-6;
 
 /// What a file gives to a start.

@@ -82,7 +82,7 @@ class MeshTables {
     results_ = read_file_results(fields.file, wish);
   }
 
-  /// Of the nodes; what is not a number says nothing.
+  /// Displacements of the nodes; what is not a number says nothing.
   FileDisplacement find_displacement() const {
     FileDisplacement found;
     if (place_ != StartPlace::elements) return found;
@@ -203,7 +203,7 @@ class MeshTables {
     return table;
   }
 
-  /// Of a block; empty: it does not have all.
+  /// Columns of a block; empty: it does not have all.
   std::vector<const ResultsColumn*> find_columns(std::size_t b, const std::vector<std::string>& names) const {
     std::vector<const ResultsColumn*> columns;
     for (const std::string& name : names) {

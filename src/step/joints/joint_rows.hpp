@@ -50,7 +50,7 @@ std::array<double, most_joint_rows> find_gap_changes(const Joint& joint, const J
                                                      const std::vector<RigidState>& now,
                                                      const std::vector<RigidState>& next, double dt);
 
-/// The same per time, from velocities and spins at one time.
+/// Rates of the gaps, from velocities and spins at one time.
 std::vector<double> find_gap_rates(const std::vector<JointRow>& rows, const std::vector<RigidState>& bodies);
 
 /// Force, or impulse, on the first body and its moment about the point, of multipliers of the joint's rows.

@@ -114,7 +114,7 @@ double find_impulse_share(double decay) {
   return 1 / decay + std::expm1(-decay) / (decay * decay);
 }
 
-/// Of 1 kg at a scaled distance.
+/// Blast wave of 1 kg at a scaled distance.
 BlastWave find_wave_on_ground(double z) {
   return {evaluate(arrival_fits, z),          evaluate(duration_fits, z),  evaluate(incident_fits, z),
           evaluate(incident_impulse_fits, z), evaluate(reflected_fits, z), evaluate(reflected_impulse_fits, z)};

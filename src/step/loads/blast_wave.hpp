@@ -22,7 +22,7 @@ struct BlastRange {
 };
 BlastRange find_blast_range(BlastDeck::Burst burst);
 
-/// Of a charge in kg at a distance in m, within these scaled distances.
+/// Blast wave of a charge in kg at a distance in m, within these scaled distances.
 BlastWave find_blast_wave(double charge, double distance, BlastDeck::Burst burst = BlastDeck::Burst::ground);
 
 /// The decay b of a pulse p (1 - t/T) exp(-b t/T), 0 < t < T, (Friedlander) with the impulse:

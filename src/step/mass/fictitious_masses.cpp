@@ -82,7 +82,7 @@ FictitiousMasses::NodeMasses FictitiousMasses::find_masses(const State& state, c
   return nodes;
 }
 
-/// Of the square of the stable step of an element.
+/// Growth of the square of the stable step of an element.
 double FictitiousMasses::find_growth(std::size_t element, const std::vector<double>& growth,
                                      const NodeMasses& nodes) const {
   if (!has_bound_of_nodes(chunked_.mesh, element)) return growth[element];

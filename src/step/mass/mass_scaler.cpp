@@ -133,7 +133,7 @@ void MassScaler::give(const State& state, const std::vector<double>& shares) {
       });
 }
 
-/// Of all elements, and what the deck adds.
+/// Sums the masses of all elements, and what the deck adds.
 void MassScaler::sum_lumped(const State& state) {
   lumped_ = summer_.sum(state.element_mass);
   if (model_.extra_mass.extent(0) == 0) return;
@@ -144,7 +144,7 @@ void MassScaler::sum_lumped(const State& state) {
       KOKKOS_LAMBDA(const int n) { lumped(n, 0) += extra(n); });
 }
 
-/// Of nodes of beams, what they have beyond the number grows with it.
+/// Scales the inertia tensors of nodes of beams: what they have beyond the number grows with it.
 void MassScaler::scale_tensors(const State& state) const {
   const SpinInertia inertia = state.spin_inertia();
   const auto lumped = lumped_;

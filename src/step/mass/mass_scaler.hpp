@@ -30,7 +30,7 @@ class MassScaler : public Action {
   /// Adds the mass that is due, and books it.
   void change_masses(State& state, Bookkeeper& books) override;
 
-  /// Of parts that have reached their limit.
+  /// Warns of parts that have reached their limit.
   std::vector<Warning> take_warnings() override;
 
   /// What each part was given, and the masses of the elements.

@@ -32,7 +32,7 @@ class SolidBounds {
     resting_.start_velocity = Rows3<double>("percuss::rest", static_cast<std::size_t>(model.node_count));
   }
 
-  /// Of each element; of shells and beams 0. Collective.
+  /// Mass that each element needs; 0 for shells and beams. Collective.
   std::vector<double> find(const std::vector<double>& element_mass) {
     resting_.element_mass = to_view("percuss::mass_of_bounds", element_mass);
     const State state = make_initial_state(resting_);

@@ -20,7 +20,7 @@ class Bookkeeper;
 class CheckpointArchive;
 struct ContactReport;
 
-/// Of the step from n to n+1.
+/// Times of the step from n to n+1.
 struct StepTimes {
   double time = 0;     // n
   double dt = 0;       // from n to n+1
@@ -68,7 +68,7 @@ class Action {
   /// Lowers the bound of all elements and contact together to what this leaves of it, the same on all ranks. Not
   /// collective.
   virtual void limit_step(const State& /*state*/, StepBound& /*bound*/) const {}
-  /// Of a scene without such a bound. Not collective.
+  /// Largest step that the action allows; a scene without such a bound has none. Not collective.
   virtual double largest_step(const State& /*state*/) const { return std::numeric_limits<double>::infinity(); }
   /// Whether this rank asks for change_masses(). bounds: [chunks] least of the elements of each. Not collective.
   virtual bool wants_masses(const State& /*state*/, const HostMirror<Array<double>>& /*bounds*/) const { return false; }

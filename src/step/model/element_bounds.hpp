@@ -16,7 +16,7 @@ struct ElementBounds {
   StepWatch watch;       // of solids, by lane
   Array<double> others;  // [elements] of shells and beams; empty: there are none
 
-  /// Of element i of chunk c; 0: nobody has evaluated it, as in rigid parts.
+  /// Bound of element i of chunk c; 0: not evaluated, as in rigid parts.
   KOKKOS_INLINE_FUNCTION double operator()(int c, int i) const {
     if (!is_shell(chunks, c) && !is_beam(chunks, c)) return static_cast<double>(watch.bound(number_lane(chunks, c, i)));
     return others.extent(0) > 0 ? others(chunks.first_element(c) + i) : 0;

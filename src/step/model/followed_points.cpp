@@ -73,7 +73,7 @@ class SearchedItems {
     return items;
   }
 
-  /// Of several with one id the lowest number counts.
+  /// Collects ids; of several with one id the lowest number counts.
   void collect_ids() {
     const auto& ids = is_element_ ? chunked_.mesh.element_ids : chunked_.mesh.node_ids;
     for (std::size_t i = 0; i < searched_.size(); ++i) {

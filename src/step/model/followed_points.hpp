@@ -18,7 +18,7 @@ struct FollowedPoint {
   std::int64_t number = 0;  // of the node or element in the whole mesh
   int index = -1;           // in this rank's share, if it owns the node or has the element; else -1
   int layer = -1;           // of an element: which of its points (find_point_stresses()); -1: their mean
-  // Of a material point, with the number and index of its element: nodes of this rank with their weights.
+  // For a material point, with the number and index of its element: nodes of this rank with their weights.
   std::vector<std::pair<int, double>> shares{};
   bool is_inside = false;  // whether it is one
 };

@@ -39,7 +39,7 @@ inline void add_to_books(const ExactSum* impulse, const ExactSum* moment, Books&
   }
 }
 
-/// The same of sums that stand one after the other from `first` on, impulse first.
+/// Adds sums that stand one after the other from `first` on, impulse first.
 template <std::size_t K>
 void add_to_books(const std::array<ExactSum, K>& sums, std::size_t first, Books& books) {
   add_to_books(&sums[first], &sums[first + 3], books);
@@ -95,7 +95,7 @@ struct HeldMoments {
                                    inertia.find_momentum(n, {before[0], before[1], before[2]}, half_before);
     return get(gained, k);
   }
-  /// Of that, what others than elements and the condition give.
+  /// The part of it that others than elements and the condition give.
   KOKKOS_INLINE_FUNCTION double find_others(int i) const {
     const int n = held.node(i), k = held.direction(i);
     return find_joined(welded, n, k) + find_joined(tied, n, k);

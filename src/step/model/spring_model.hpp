@@ -24,7 +24,7 @@ struct ConnectedNodes {
   Array<int> local_node, local_place;  // of all that this rank holds
 };
 
-/// Those on which connections act by forces.
+/// Nodes on which connections act by forces.
 struct ForcedNodes : ConnectedNodes {
   int first_slot = 0;  // a slot for each node that it owns
 };
@@ -85,7 +85,7 @@ struct WeldLaw {
   double time = unbreakable;    // at which it fails
 };
 
-/// Of two nodes of a patch, as places among these: the mean of the product of their shape functions over a region.
+/// For two nodes of a patch, as places among these: the mean of the product of their shape functions over a region.
 struct ShapeProduct {
   int node = 0, other = 0;
   double mean = 0;
@@ -94,7 +94,7 @@ struct ShapeProduct {
 /// Nodes whose mean rigid motion an end of a weld takes.
 struct WeldPatch {
   std::vector<int> nodes;  // places in WeldModel::nodes, ascending
-  // Of a region of faces, otherwise masses are the weights:
+  // Weights of a region of faces; otherwise masses are the weights:
   std::vector<double> weights;         // [nodes] mean of the shape function of each over the region; their sum is 1
   std::vector<ShapeProduct> products;  // of each node with each that it shares a face with, itself included
   bool is_region() const { return !weights.empty(); }
@@ -155,7 +155,7 @@ struct ConstraintRow {
   std::vector<ConstraintTerm> terms;  // unknown: three times the place in ConstraintModel::nodes, and the direction
 };
 
-/// Which nodes move equally in one direction: those of all constraints that share a node are one group.
+/// Nodes that move equally in one direction: those of all constraints that share a node are one group.
 struct EqualGroups {
   std::vector<int> first{0};  // [groups + 1] of `members`
   std::vector<int> members;   // places in ConstraintModel::nodes, ascending in each group
@@ -189,8 +189,8 @@ struct EmbeddedModel : ConnectedNodes {
 
 /// A constraint in the loop.
 struct ConstraintState {
-  // Of the last step: on the first side of pairs, or half the sum of amounts on all nodes; of equations x is the force
-  // on displacements of factor 1.
+  // Forces of the last step: on the first side of pairs, or half the sum of amounts on all nodes; of equations x is the
+  // force on displacements of factor 1.
   Vector3<double> force{};
 };
 

@@ -255,7 +255,7 @@ void start_rotations(const Model& model, State& s) {
   Kokkos::deep_copy(s.spin_tensors.excess, model.spin_tensors.excess);
 }
 
-/// Chunks that nobody computes hold no step down, and nothing fails.
+/// Chunks that are not computed do not limit the step, and nothing fails in them.
 void rest_uncomputed_chunks(const Model& model, const ChunkResults& results) {
   if (model.is_uncomputed_chunk.extent(0) == 0) return;
   const Array<int> is_uncomputed = model.is_uncomputed_chunk;
@@ -386,7 +386,7 @@ KOKKOS_INLINE_FUNCTION std::uint64_t mix_life(const ElementLives& lives, int lan
   return h;
 }
 
-/// Which layers of a shell that can fail have failed.
+/// Hashes which layers of a shell that can fail have failed.
 KOKKOS_INLINE_FUNCTION std::uint64_t mix_layers(double* rows, int points, std::uint64_t h) {
   for (int p = 0; p < points; ++p) {
     const auto left = static_cast<int>(find_layer_life(rows, p)[LayerLives::left * pack_size<double>]);

@@ -93,12 +93,12 @@ struct State {
   PressureSums pressure_sums;    // [runs of these faces] of the forces at n, and of the step to n
   NodalLoads nodal_loads;        // those of nodes that have vanished are gone
 
-  // Of the sensors of the deck: which events have come, with their delays. What they have left of the held directions.
+  // Sensors of the deck: which events have come, with their delays. What they have left of the held directions.
   std::vector<char> happened;
   HeldDirections held, held_spins;
   Array<int> owned_held, owned_held_spins;
 
-  // Of scenes with shells or beams that bend; empty otherwise.
+  // Scenes with shells or beams that bend; empty otherwise.
   Rows3<double> w;                 // angular velocity of the nodes, at n-1/2 (at n = 0: at 0)
   Rows3<double> w_before;          // one step earlier; scratch of the step
   Array<double> inertia;           // rotary, of the nodes: as mass
@@ -114,7 +114,7 @@ struct State {
   std::vector<Point3> glue_arms;    // [GlueModel::points] GluePoint::arm, turned with its node, at n
   std::vector<WeldState> welds;
   std::vector<ConstraintState> constraints;
-  // Of the last step on their nodes, of constraints too; empty without any; scratch of the step.
+  // Impulses of the last step on their nodes, of constraints too; empty without any; scratch of the step.
   Rows3<double> weld_impulse, weld_moment;
   Rows3<double> tie_moment;                     // likewise of ties that carry rotations, on this rank's own nodes
   Rows3<double> damping_force, damping_moment;  // by slot, of damping in proportion to stiffness; empty without
@@ -132,7 +132,7 @@ struct State {
   }
   /// Whose inertia turns in a step from n on.
   TurningNodes turning_nodes(double step_dt) const { return {w_before, w, moment, step == 0 ? 0 : dt, step_dt}; }
-  /// Those that can fail, of the model.
+  /// Elements that can fail, of the model.
   FailingElements failing_elements(const FailingChunks& failing) const { return {failing, elements, lives}; }
 };
 

@@ -15,7 +15,7 @@
 
 namespace percuss {
 
-/// Asks for huge pages under the whole ones of a range that nobody has touched yet. It is a wish: no error if refused.
+/// Asks for huge pages under the whole ones of a range that is not touched yet. It is a hint: no error if refused.
 inline void wish_huge_pages([[maybe_unused]] void* data, [[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
   constexpr std::uintptr_t huge_page = std::uintptr_t{1} << 21;

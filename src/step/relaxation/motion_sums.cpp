@@ -39,7 +39,7 @@ MotionTotals MotionSums::sum_bodies(const State& state) const {
   return totals;
 }
 
-/// Of this rank's elements: stresses, hourglass modes, resistance to folding.
+/// Energy stored in this rank's elements: stresses, hourglass modes, resistance to folding.
 ExactSum MotionSums::sum_stored(const State& state) {
   ExactSum sum;
   const auto work = to_host(state.results.work);

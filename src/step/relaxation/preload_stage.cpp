@@ -61,7 +61,7 @@ bool is_of_layer(const Mesh& mesh, std::size_t element, const PreloadDeck& prelo
   return preload.point ? is_cut(mesh, element, preload) : mesh.topology_of(element).is_line();
 }
 
-/// Of an element at time 0: the normal in the frame of a shell, or its component along a beam.
+/// Axes of an element at time 0: the normal in the frame of a shell, or its component along a beam.
 std::array<double, 2> find_axes(const Mesh& mesh, std::size_t element, const PreloadDeck& preload) {
   const int dimension = mesh.topology_of(element).dimension;
   if (dimension == 3 || !preload.normal) return {1, 0};
@@ -184,7 +184,7 @@ struct BeamForce {
   double gain;   // share of what it lacks that it gets now
 };
 
-/// Of the beams of a rank; 0 where none lacks any.
+/// Forces that the beams of a rank lack; 0 where none lacks any.
 struct LackingForces {
   double largest = 0, smallest = 0;
 };
@@ -316,7 +316,7 @@ double PreloadStage::shorten_beams(const Layer& layer, double force, State& stat
   return most > -least ? most : least;
 }
 
-/// Of sections; 0 of others.
+/// Forces of sections; 0 for others.
 std::vector<double> PreloadStage::find_forces(const State& state) {
   std::vector<ExactSum> sums;
   for (Layer& layer : layers_) {

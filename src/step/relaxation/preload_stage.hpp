@@ -36,7 +36,7 @@ class PreloadStage {
 
   /// Largest lack of a section in the last call, relative to its preload.
   double largest_lack() const { return largest_lack_; }
-  /// Which preload of the deck lacks that.
+  /// The preload of the deck that lacks that.
   std::size_t largest_lacking() const { return largest_lacking_; }
 
   /// Normal forces in the last call, in the order of the deck; of beams that which lacks most.

@@ -19,7 +19,7 @@ namespace {
 
 /// What of the motion is to be that of nodes, at its largest, for spins to be taken as idle.
 constexpr double least_moving = 0.1;
-/// Of the steps so far, the shortest period of spins that count as idle.
+/// Shortest period of spins that count as idle, as a share of the steps so far.
 constexpr double idle_periods = 10;
 /// Steps between two looks at the motion.
 constexpr long look_steps = 10;
@@ -36,7 +36,7 @@ constexpr double tolerated_preload_error = 1e-3;
 /// and its layer gets shorter by less than this share of what it has got shorter so far.
 constexpr double least_progress = 0.01;
 constexpr long progress_steps = 5000, progress_checks = 20;
-/// Of the length of a layer: what is less is no motion; what has lost more closes no gap.
+/// Shares of the length of a layer: what is less is no motion; what has lost more closes no gap.
 constexpr double least_shortening = 1e-6, largest_shortening = 0.5;
 
 bool has_contact_springs(const Deck& deck) { return deck.contact.enforcement == ContactDeck::Enforcement::penalty; }
@@ -95,8 +95,8 @@ Relaxation::Relaxation(const Deck& deck, const ChunkedMesh& chunked, const Model
   stepper_->start(state);
 }
 
-/// Those by which all elements have one stable step. What the deck sets as the largest step grows as that does. A
-/// damping that the deck gives belongs to the physical masses.
+/// Sets fictitious masses that give every element the same stable step. time.max_step is scaled accordingly. Damping
+/// given in the deck acts with the physical masses.
 void Relaxation::give_masses() {
   if (rules_.damping) return stepper_->start(state_);
   stepper_->act_first(masses_);
@@ -107,7 +107,7 @@ void Relaxation::give_masses() {
   stepper_->start(state_);
 }
 
-/// Of the scene, but damped, at rest where it is driven, and without failure.
+/// Makes the model of the scene, but damped, at rest where it is driven, and without failure.
 void Relaxation::make_model(const Deck& deck) {
   relaxed_.failing = {};
   relaxed_.can_erode = relaxed_.scales_in_run = relaxed_.is_driven = false;
@@ -147,12 +147,12 @@ void Relaxation::hold_nodes(const Deck& deck) {
   if (model_.has_rotations) state_.inverse_inertia = copy_to_zero(inverse_inertia_, nodes);
 }
 
-/// Of loads and preloads, at n.
+/// Fraction of the loads and preloads applied in this step.
 double Relaxation::find_share(long step) const {
   return step >= rules_.ramp ? 1 : static_cast<double>(step) / static_cast<double>(rules_.ramp);
 }
 
-/// Those of the run at time 0.
+/// Sets that fraction of the loads of the run at time 0.
 void Relaxation::set_loads(long step) {
   const double share = find_share(step);
   const auto scale = [&](const Curve& curve) { return Curve::constant(share * curve(0)); };

@@ -73,7 +73,7 @@ const ScalarColumn scalar_columns[] = {
     {HistoryScalar::void_fraction, "void_fraction", {}, "void fraction of {}"},
 };
 
-/// Those that a material of the scene fills.
+/// Columns that a material of the scene fills.
 std::vector<ScalarColumn> find_scalar_columns(const Deck& deck) {
   std::vector<ScalarColumn> columns;
   for (const ScalarColumn& column : scalar_columns) {

@@ -49,7 +49,7 @@ class History {
   std::int64_t find_length();
   /// Waits until the disk has all rows. Collective; throws likewise.
   void sync();
-  /// The same, and closes the file. Collective; throws likewise.
+  /// Writes as above, and closes the file. Collective; throws likewise.
   void close();
   /// Whether the file still has its name: not if somebody removed or replaced it. Collective.
   bool is_in_place() const;

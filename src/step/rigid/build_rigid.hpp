@@ -9,7 +9,7 @@
 
 namespace percuss {
 
-/// Which body has each node of this rank. A node that a rigid and a deformable part share belongs to the body.
+/// The body of each node of this rank. A node that a rigid and a deformable part share belongs to the body.
 struct RigidMap {
   std::vector<int> body;        // [nodes] -1: none; empty without rigid bodies
   std::vector<char> is_shared;  // [nodes] 1: an element that deforms has it too

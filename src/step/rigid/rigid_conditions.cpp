@@ -179,7 +179,7 @@ struct RigidStart {
   std::vector<int> nodes;
 };
 
-/// Of a body: by nodes that only rigid elements have, unless these alone do not say how it turns.
+/// Start of a body: by nodes that only rigid elements have, unless these alone do not say how it turns.
 template <class Velocities>
 RigidStart find_start(const ChunkedMesh& chunked, const RigidMap& map, int body, const std::vector<double>& mass,
                       const Model& model, const Velocities& v) {

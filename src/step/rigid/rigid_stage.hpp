@@ -29,17 +29,17 @@ class RigidStage : public Action {
   /// the first step, without damping, which are mirrored. Throws RunError, the same on all ranks, where a joint is torn
   /// apart, as the next does.
   void predict(State& state, const StepTimes& times) override;
-  /// The same of scenes with damping.
+  /// Changes velocities in scenes with damping.
   void change_velocities(State& state, const StepTimes& times) override;
   double bound_component(const State& state, double predicted) const override;
 
   /// The bodies as contact sees them in this step.
   BodyInputs inputs() const { return inputs_; }
 
-  /// The same velocities with contact, and the rotations of the nodes of shells.
+  /// Gives nodes the velocities with contact, and the rotations of the nodes of shells.
   void follow_contact(State& state, const StepTimes& times, const ContactReport* contact) override;
 
-  /// Of what holds bodies (src/step/audit/books.hpp).
+  /// Books what holds bodies (src/step/audit/books.hpp).
   void book_motion(State& state, const StepTimes& times) override;
   void book_forces(State& state, double dt, double time, bool takes_gravity) override;
 

@@ -8,7 +8,7 @@
 
 namespace percuss {
 
-/// Of one body.
+/// Sums of one body.
 struct RigidSums {
   double kinetic = 0;     // M V(n-1/2) . V*(n+1/2) / 2 + L(n-1/2) . I(n)^-1 L*(n+1/2) / 2, * without contact
   double half_steps = 0;  // with time 0 between two half steps: AuditSum::half_steps

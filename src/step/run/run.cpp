@@ -373,7 +373,7 @@ void Run::save_interrupted() {
   output_.sync();
 }
 
-/// The same of the last state, due or not.
+/// Observes the last state, due or not.
 void Run::observe_last() {
   audit();
   if (contact_.is_active() && !warnings_.has_warned_gain()) note_contact_gain(true);

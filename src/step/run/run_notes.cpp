@@ -15,27 +15,28 @@ namespace percuss {
 
 namespace {
 
-/// Of the largest energy: more that elements give is reported.
+/// Share of the largest energy: more that elements give is reported.
 constexpr double noted_element_share = 0.01;
 
-/// Of what a part stores besides: more in its hourglass modes is reported ...
+/// Share of what a part stores besides: more in its hourglass modes is reported ...
 constexpr double noted_hourglass_share = 0.1;
 /// All of it where a control bends elements that is not the stiffness of the material: of three layers a ninth of the
 /// energy of bending is there, of two a quarter.
 constexpr double noted_whole_share = 0.2;
-/// Of the largest strain energy of the scene, all parts together: what still rings after an impact means nothing, nor
-/// does a small body that rings beside one that bends.
+/// Share of the largest strain energy of the scene, all parts together: what still rings after an impact means nothing,
+/// nor does a small body that rings beside one that bends.
 constexpr double noted_scene_share = 0.02;
 /// ... unless it is so small beside the largest energy of the scene that it means nothing.
 constexpr double noted_energy_share = 1e-3;
 
-/// Of the largest energy: contact gives back what its springs hold and what it was asked for, and no more.
+/// Share of the largest energy: contact gives back what its springs hold and what it was asked for, and no more.
 constexpr double noted_contact_share = 0.01;
 
-/// Of the largest energy: a balance that is off by more is reported, long before audit.max_energy_error ends the run.
+/// Share of the largest energy: a balance that is off by more is reported, long before audit.max_energy_error ends the
+/// run.
 constexpr double noted_energy_error = 0.01;
 
-/// Of a face edge, beyond what was accepted at the start: the contact of a node is lost at a quarter.
+/// Share of a face edge, beyond what was accepted at the start: the contact of a node is lost at a quarter.
 constexpr double noted_depth = 0.1;
 
 /// Motions of so many times the depth tolerance of contact in a step are round-off of contact, too.

@@ -18,7 +18,7 @@ namespace percuss {
 
 class RunWarnings {
  public:
-  /// silenced: rules that nobody wants to hear of. This is not moved: the log tells through it.
+  /// silenced: rules whose warnings are not shown. This is not moved: the log tells through it.
   RunWarnings(const std::set<std::string>& silenced, const Communicator& ranks);
   RunWarnings(const RunWarnings&) = delete;
   RunWarnings& operator=(const RunWarnings&) = delete;
@@ -55,7 +55,7 @@ class RunWarnings {
 
   /// What is remembered besides the warnings, which write() gives as a text.
   void archive(CheckpointArchive& archive);
-  /// Those that a restart does not find again, for a checkpoint's header; the same on all ranks. Collective.
+  /// Warnings that a restart does not find again, for a checkpoint's header; the same on all ranks. Collective.
   std::string write() const;
   /// Takes them back. Throws InputError that names the checkpoint.
   void restore(const CheckpointHeader& header, const std::string& path);

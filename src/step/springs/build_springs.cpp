@@ -18,7 +18,7 @@ namespace {
 /// Every rank moves all springs: more belong into a mesh.
 constexpr std::size_t most_springs = 100000;
 
-/// Springs of an entry that have columns of their own in the history: more would make rows that nobody reads.
+/// Springs of an entry that have columns of their own in the history: more would make rows too long to read.
 constexpr std::size_t most_with_columns = 100;
 
 SpringLaw make_law(const SpringDeck& deck) {

@@ -14,8 +14,8 @@ namespace percuss {
 /// itself, two springs of one name, too many springs.
 SpringModel find_springs(const Deck& deck, const ChunkedMesh& chunked);
 
-/// The same, and gives each of their nodes that this rank owns a slot, after those of loads on nodes, at the end of
-/// `slots` and of the sum of the node.
+/// Builds springs, and gives each of their nodes that this rank owns a slot, after those of loads on nodes, at the end
+/// of `slots` and of the sum of the node.
 void build_springs(const Deck& deck, const ChunkedMesh& chunked, LocalSlots& slots, Model& model);
 
 }  // namespace percuss

@@ -78,7 +78,7 @@ void check_weld_name(const WeldLaw& law, const std::string& name, std::set<std::
                   law.place, law.name, name));
 }
 
-/// Of a number among ascending ones.
+/// Place of a number among ascending ones.
 std::size_t find_place(const std::vector<std::int64_t>& numbers, std::int64_t number) {
   return at(std::lower_bound(numbers.begin(), numbers.end(), number) - numbers.begin());
 }
@@ -96,7 +96,7 @@ std::string name_weld(const WeldDeck& deck, std::size_t count, std::size_t index
   return count == 1 ? deck.name : fmt::format("{}_{}", deck.name, index + 1);
 }
 
-/// Of the pairs of nodes of an entry.
+/// Drafts welds of the pairs of nodes of an entry.
 std::vector<DraftWeld> draft_pairs(const WeldDeck& deck, const std::vector<NodePair>& pairs, const WeldLaw& law) {
   std::vector<DraftWeld> drafts;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -108,7 +108,8 @@ std::vector<DraftWeld> draft_pairs(const WeldDeck& deck, const std::vector<NodeP
   return drafts;
 }
 
-/// Of the points of an entry with a radius. The normal is that of the face of the first end, towards the second.
+/// Drafts welds of the points of an entry with a radius. The normal is that of the face of the first end, towards the
+/// second.
 std::vector<DraftWeld> draft_regions(const WeldDeck& deck, const std::vector<std::array<WeldRegion, 2>>& regions) {
   std::vector<DraftWeld> drafts;
   for (std::size_t i = 0; i < regions.size(); ++i) {

@@ -9,11 +9,11 @@
 
 namespace percuss {
 
-/// Which of `connected.nodes` this rank owns and holds.
+/// Finds those of `connected.nodes` that this rank owns and holds.
 void find_connected_nodes(const ChunkedMesh& chunked, ConnectedNodes& connected);
 
-/// The same, and a slot for the force on each node that this rank owns, after all that there are: the orders of slots
-/// of one node differ. Collective.
+/// Finds these nodes, and adds a slot for the force on each node that this rank owns, after all that there are: the
+/// orders of slots of one node differ. Collective.
 void add_force_slots(const ChunkedMesh& chunked, const Communicator& ranks, ForcedNodes& forced, LocalSlots& slots);
 
 /// Forces into these slots. by_node: [forced.nodes]; own: scratch, [owned nodes]; all: the slots of this rank.

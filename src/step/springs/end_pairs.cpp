@@ -33,7 +33,7 @@ class EndFinder {
   std::vector<Item> find(const SpringEndDeck& end) { return gather_nodes(chunked_, find_own(end)); }
 
  private:
-  /// Those that this rank owns, in its share.
+  /// Nodes that this rank owns, in its share.
   std::vector<int> find_own(const SpringEndDeck& end) {
     std::vector<int> own;
     if (end.point) {

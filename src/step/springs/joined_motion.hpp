@@ -13,7 +13,7 @@ struct JoinedMotion {
   double velocity = 0, impulse = 0;
 };
 
-/// Of the history: Books::equal_work.
+/// Column of the history: Books::equal_work.
 HistoryColumn equal_work_column();
 
 /// Work with the mean of the velocities before and after the step. Contact has counted its own with the velocities

@@ -19,7 +19,7 @@ constexpr double usual_reach = 2, most_reach = 10;
 /// Share of the disc on faces: what is less is suspicious, or refused.
 constexpr double usual_cover = 0.75, least_cover = 0.05;
 
-/// Of shells one side of each element.
+/// Faces of a selection; of shells one side of each element.
 std::vector<ElementFace> list_faces(const Mesh& mesh, const Deck& deck, const Selector& where) {
   std::vector<ElementFace> faces;
   for (const ElementFace& face : select_faces(mesh, deck, where)) {

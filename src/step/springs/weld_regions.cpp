@@ -29,7 +29,8 @@ constexpr int least_rings = 8, most_rings = 64;
 /// What a point may lie outside a face, in its own coordinates of -1 to 1.
 constexpr double rim = 1e-9;
 
-/// Of faces that are nearest together, such as those around an edge: how far from the others, as a share of the radius.
+/// Faces whose distances differ by less than this share of the radius, such as those around an edge, are nearest
+/// together.
 constexpr double same_distance = 1e-9;
 
 /// A face around an end of a weld, as all ranks know it.
@@ -182,7 +183,7 @@ class ProjectedFace {
     return {0.25 * (1 - a) * (1 - b), 0.25 * (1 + a) * (1 - b), 0.25 * (1 + a) * (1 + b), 0.25 * (1 - a) * (1 + b)};
   }
 
-  /// Of Newton's method for the coordinates within the face.
+  /// Step of Newton's method for the coordinates within the face.
   std::array<double, 2> find_step(double a, double b, double u, double v) const {
     const std::array<double, 4> shape = find_shape(a, b);
     const double by_a[4] = {-0.25 * (1 - b), 0.25 * (1 - b), 0.25 * (1 + b), -0.25 * (1 + b)},

@@ -29,7 +29,7 @@ Vector3<double> multiply_each(const Vector3<double>& a, const Vector3<double>& b
 
 using Change = PatchResponse::Column;
 
-/// Of a node, by an impulse and a moment at itself; of a patch, at its centre.
+/// Change of a node by an impulse and a moment at itself; for a patch, at its centre.
 Change respond(const WeldNode& node, const Vector3<double>& p, const Vector3<double>& moment) {
   if (!node.is_patch)
     return {multiply_each(node.inverse_mass, p),
@@ -96,7 +96,7 @@ void add(const WeldImpulse& impulse, std::array<WeldNode, 2>& nodes) {
   }
 }
 
-/// Of places that are not one.
+/// Impulse of a weld between bodies whose points do not coincide.
 WeldImpulse join_bodies(const std::array<WeldNode, 2>& nodes, const Vector3<double>& across,
                         const Vector3<double>& correction) {
   std::array<Vector3<double>, 2> lever = find_levers(nodes, across);

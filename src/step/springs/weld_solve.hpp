@@ -26,7 +26,7 @@ struct WeldNode {
   Vector3<double> inverse_mass{}, inverse_inertia{};  // by direction; 0 where it is held
   bool turns = false;                                 // whether it has rotary inertia
   bool is_gone = false;
-  // Of a patch: velocity and spin are those of its mean rigid motion about its centre.
+  // For a patch, velocity and spin are those of its mean rigid motion about its centre.
   bool is_patch = false;
   Vector3<double> arm{};     // from the centre to `place`
   PatchResponse response{};  // in place of inverse_inertia
@@ -42,7 +42,7 @@ struct WeldImpulse {
 /// Square root of twice the energy that an impulse and moments give to these nodes at rest: both have one unit then.
 double find_impulse_size(const WeldImpulse& impulse, const std::array<WeldNode, 2>& nodes);
 
-/// The same of the motion of the nodes in directions that are not held.
+/// Size of the motion of the nodes in directions that are not held.
 double find_motion_size(const std::array<WeldNode, 2>& nodes);
 
 /// Makes both nodes move as one from n to n+1 and returns what that took. length: of the weld at time 0, to which the

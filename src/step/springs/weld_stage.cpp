@@ -159,7 +159,7 @@ void WeldStage::judge(State& state, double dt, double dt_mean) {
   }
 }
 
-/// Of impulses with the mean of the velocities before and after the step.
+/// Work of impulses with the mean of the velocities before and after the step.
 double WeldStage::find_work() const {
   double work = 0;
   for (std::size_t n = 0; n < nodes_.size(); ++n) {

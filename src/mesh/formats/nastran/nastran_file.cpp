@@ -86,7 +86,7 @@ class NastranReader {
     Vec3 x{};
     TextPlace place;
   };
-  /// Of a shell with thicknesses at its corners.
+  /// A shell with thicknesses at its corners.
   struct CornerThicknesses {
     int block = 0;
     std::size_t element = 0, corners = 0;  // element: in its block

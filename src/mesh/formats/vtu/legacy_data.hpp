@@ -39,7 +39,7 @@ class LegacyScanner {
   bool next_line(std::string_view& line);
   /// The words of the next line that has any; empty at the end of the file.
   std::vector<std::string_view> next_words();
-  /// The same words again.
+  /// Goes back, so that the last words are read again.
   void step_back() {
     at_ = last_;
     line_ = last_line_;

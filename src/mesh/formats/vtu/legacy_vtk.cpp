@@ -144,7 +144,7 @@ class LegacyReader {
       names_.refuse(grid_.place, fmt::format("CELLS has {} cells ({} are expected)", grid_.ends.size(), first));
   }
 
-  /// Of version 5.1: where each cell begins, and the points of all.
+  /// Reads cells of version 5.1: where each cell begins, and the points of all.
   void read_offsets(std::size_t offsets, std::size_t points) {
     std::vector<std::int64_t> first = take_list("OFFSETS", offsets);
     grid_.connectivity = take_list("CONNECTIVITY", points);

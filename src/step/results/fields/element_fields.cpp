@@ -19,7 +19,7 @@ struct Lives {
   FailingChunks failing;
   ElementLives lives;
 
-  /// Of element i of chunk c among the lanes that can fail; -1: it cannot.
+  /// Place of element i of chunk c among the lanes that can fail; -1: it cannot.
   KOKKOS_INLINE_FUNCTION int find_lane(int c, int i) const {
     const int pack = failing.find_pack(c);
     return pack < 0 ? -1 : pack * pack_width + i;
@@ -148,7 +148,7 @@ struct ReadStateVariable {
   }
 };
 
-/// Of a shell; 0 of others.
+/// Thickness of a shell; 0 for others.
 struct ReadThickness {
   static constexpr int components = 1;
   static constexpr bool fades = false;

@@ -8,7 +8,7 @@
 
 namespace percuss {
 
-/// Which elements are read: all, or some in their order.
+/// Elements that are read: all, or some in their order.
 class ElementChoice {
  public:
   ElementChoice() = default;
@@ -23,15 +23,15 @@ class ElementChoice {
 
 /// Cauchy stress in space axes, one row of xx, yy, zz, xy, yz, zx an element. Bulk viscosity is not part of it. Of an
 /// element that fails it is the share that is left, of a dead one zero.
-/// Of a shell the mean across its thickness; of a beam the force along it over its area.
+/// Stresses of elements; for a shell the mean across its thickness, for a beam the force along it over its area.
 std::vector<double> find_stresses(const Model& model, const State& state, const ElementChoice& of = {});
 
-/// Which of the points across the thickness of a shell: a number from 0, the lowest, or one of these.
+/// A point across the thickness of a shell: a number from 0, the lowest, or one of these.
 struct ShellPoint {
   static constexpr int mean = -1, highest = -2, lowest = 0;
 };
 
-/// The same at one point of shells, 0 where they have no such point; of hexahedra as find_stresses().
+/// Stresses at one point of shells, 0 where they have no such point; of hexahedra as find_stresses().
 std::vector<double> find_point_stresses(const Model& model, const State& state, int point,
                                         const ElementChoice& of = {});
 
@@ -51,7 +51,7 @@ std::vector<double> find_section_results(const Model& model, const State& state,
 /// Equivalent plastic strain an element, the mean of its points, of a beam the largest; 0 where the material has none.
 std::vector<double> find_plastic_strains(const Model& model, const State& state, const ElementChoice& of = {});
 
-/// The same at one point of shells, 0 where they have no such point; of hexahedra as find_plastic_strains().
+/// Plastic strains at one point of shells, 0 where they have no such point; of hexahedra as find_plastic_strains().
 std::vector<double> find_point_plastic_strains(const Model& model, const State& state, int point,
                                                const ElementChoice& of = {});
 

@@ -1,5 +1,5 @@
 #pragma once
-// Of what frames are, where they go, and which part of the mesh an output of fields shows.
+// The scene of the frames, where they go, and the part of the mesh that an output of fields shows.
 
 #include <memory>
 #include <string>

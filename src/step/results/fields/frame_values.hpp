@@ -27,7 +27,7 @@ struct FrameSource {
   std::size_t element_count() const {
     return region == nullptr ? static_cast<std::size_t>(model.element_count) : region->elements.size();
   }
-  /// Those of the region. values: a number a node of this rank's share.
+  /// Values of the nodes in the output region. values: one per node of this rank.
   std::vector<double> choose_nodes(std::vector<double> values) const;
 };
 
