@@ -368,7 +368,7 @@ std::vector<SuspiciousDeck> material_decks() {
       {"MaterialOfNoPart", "unused_material", "steel: {", {{"material: steel", "material: aluminium"}}, {}},
       {"FluidHeldByItsHourglassControl",
        "fluid_hourglass",
-       "steel: {",
+       "block: {",
        {{"elastic, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3",
          "fluid, density: 1000, equation_of_state: {kind: linear, bulk_modulus: 2e9}"},
         {"initial:", start + "hourglass: stiffness}\ninitial:"}},
