@@ -2,7 +2,7 @@
 
 import math
 
-from . import FIRST, LAST, MAX, Proof
+from . import FIRST, LAST, Proof
 from .dyna_laws import BULK, END, HARDENING, SHEAR, STIFF, STRAIN, UP, YOUNG, erosion_time, m24, plastic_strain, stretched, time_of
 from .pieces import CUBE_MASS, cube, curve, deck, elastic, hexahedron, node_set, part, rigid, solid_section, two_cubes, velocity
 
