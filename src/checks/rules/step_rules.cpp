@@ -62,7 +62,8 @@ std::vector<Warning> check_sharp_elements(const CheckedScene& scene) {
   if (parts.empty()) return {};
   const std::size_t p = parts.front();
   const PartMeasures& part = scene.measures->parts[p];
-  if (!(part.thinnest_sliver <= (1 + round_off) * part.thinnest) || is_column(part)) return {};
+  if (!std::isfinite(part.thinnest_sliver) || is_column(part)) return {};  // beams have none
+  if (part.thinnest_sliver > (1 + round_off) * part.thinnest) return {};
   const double own = (*scene.part_steps)[p];
   if (scene.deck.time.max_step.value_or(HUGE_VAL) < own * scene.deck.time.step_scale / much) return {};
   return {
