@@ -85,11 +85,6 @@ struct UserCode {
   const double* step_starts = nullptr;  // times at which steps of the analysis begin, from the second on
   int step_count = 0;
 
-  bool has_rising_steps() const {
-    for (int i = 0; i < step_count; ++i)
-      if (!(step_starts[i] > (i > 0 ? step_starts[i - 1] : 0))) return false;
-    return true;
-  }
   /// Time since the begin of the step of the analysis in which this time lies, or which ends there.
   double find_step_time(double time) const {
     double start = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Which library of a user a thread is in, so that whatever ends the program there is told by its name.
+// The library of a user whose code a thread runs, so that whatever ends the program there is told by its name.
 
 namespace percuss {
 

@@ -88,7 +88,6 @@ struct UserHardening : UserFields {
   const char* find_fault() const {
     if (start_states.count > states) return "more start_states than state_variables";
     if (field_constants.count > 0 && fields == 0) return "field_constants and no field_variables";
-    if (!code.has_rising_steps()) return "step_starts that are not positive or do not rise";
     if (thermal_expansion > 0 && specific_heat == 0)
       return "a thermal_expansion and no specific_heat, by which it heats";
     return melt_temperature == 0 || melt_temperature > room_temperature

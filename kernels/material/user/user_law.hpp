@@ -98,7 +98,6 @@ struct UserLaw : UserFields {
   const char* find_fault() const {
     if (start_states.count > states) return "more start_states than state_variables";
     if (field_constants.count > 0 && fields == 0) return "field_constants and no field_variables";
-    if (!code.has_rising_steps()) return "step_starts that are not positive or do not rise";
     if (!are_axes(first_axis, second_axis)) return "first_axis and second_axis that are zero or parallel";
     return thermal_expansion > 0 && specific_heat == 0 ? "a thermal_expansion and no specific_heat, by which it heats"
                                                        : "";

@@ -111,6 +111,11 @@ UserCode load_user_code(const std::string& file, const std::string& subroutine) 
 }
 
 void set_step_starts(const std::vector<double>& starts, UserCode& code) {
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    if (!(starts[i] > (i > 0 ? starts[i - 1] : 0)))
+      throw InputError(
+          fmt::format("error: step_starts has {} behind {} (times must be positive and rise): correct its order",
+                      starts[i], i > 0 ? starts[i - 1] : 0));
   LoadedCode& all = all_code();
   const std::scoped_lock lock(all.busy);
   const std::vector<double>& kept = *all.step_starts.insert(starts).first;

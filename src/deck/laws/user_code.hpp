@@ -34,7 +34,7 @@ void* find_user_entry(const std::string& file, const std::string& subroutine);
 /// A subroutine of a library, "vumat" or "vuhard". Throws InputError as load_library() does, and if there is none.
 UserCode load_user_code(const std::string& file, const std::string& subroutine);
 
-/// Gives the code times at which steps of its analysis begin, which stay.
+/// Gives the code times at which steps of its analysis begin, which stay. Throws InputError if they do not rise from 0.
 void set_step_starts(const std::vector<double>& starts, UserCode& code);
 
 /// Whether a law of this library was found to write outside its arrays.
