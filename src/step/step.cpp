@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "kernels/core/host_copy.hpp"
-#include "src/deck/contact/contact_springs.hpp"
+#include "src/deck/contact_springs.hpp"
 #include "src/step/phases.hpp"
 
 namespace percuss {

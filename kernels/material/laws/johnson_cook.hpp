@@ -6,10 +6,10 @@
 namespace percuss {
 
 /// Flow stress (A + B p^n) (1 + C ln r) (1 - t^m), r = max(rate of p / reference_rate, 1), t = (T - T_room) / (T_melt -
-/// T_room) between 0 and 1; at t = 1 nothing of it is left. No heat is conducted: rho0 cp dT = beta J sigma dp. The flow
-/// stress of a step takes the temperature of its beginning, its heat the mean flow stress. With an equation of state
-/// p(J, e) compression heats it too: dT = -T_abs dp/de dJ without heat (Maxwell's relation), and rho0 cp dT = -q dJ by
-/// the viscous pressure, which stands for the shock. History: p, T.
+/// T_room) between 0 and 1; at t = 1 nothing of it is left. No heat is conducted: rho0 cp dT = beta J sigma dp. The
+/// flow stress of a step takes the temperature of its beginning, its heat the mean flow stress. With an equation of
+/// state p(J, e) compression heats it too: dT = -T_abs dp/de dJ without heat (Maxwell's relation), and rho0 cp dT = -q
+/// dJ by the viscous pressure, which stands for the shock. History: p, T.
 struct JohnsonCook {
   static constexpr const char* name = "johnson_cook";
   using Constants = JohnsonCook;

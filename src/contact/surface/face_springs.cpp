@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "src/deck/contact/contact_springs.hpp"
+#include "src/deck/contact_springs.hpp"
 #include "src/deck/laws/material_properties.hpp"
 #include "src/mesh/hex_geometry.hpp"
 

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "comm/exchange/item_exchange.hpp"
-#include "src/deck/contact/contact_springs.hpp"
+#include "src/deck/contact_springs.hpp"
 #include "src/deck/embedded_parts.hpp"
 #include "src/deck/laws/material_properties.hpp"
 #include "src/index.hpp"

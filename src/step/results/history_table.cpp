@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "src/deck/asked_for.hpp"
-#include "src/deck/contact/contact_springs.hpp"
+#include "src/deck/contact_springs.hpp"
 
 namespace percuss {
 namespace {
