@@ -11,7 +11,7 @@ namespace {
 
 TEST(DiscreteGradient, MakesTheWayThatWasSeenChangeTheGapByWhatWasSeen) {
   // It goes away along the push direction by 1e-4 while its gap stays.
-  const Point3 way{0.01, 0, 1e-4}, gradient = find_discrete_gradient({0, 0, 1}, way, 0, find_least_slide(false));
+  const Point3 way{0.01, 0, 1e-4}, gradient = find_discrete_gradient({0, 0, 1}, way, 0, least_slide);
   EXPECT_NEAR(dot(gradient, way), 0, 2e-4 * 1e-4);
   EXPECT_NEAR(norm(gradient), 1, 1e-15);
   EXPECT_EQ(gradient.y, 0);
@@ -19,12 +19,12 @@ TEST(DiscreteGradient, MakesTheWayThatWasSeenChangeTheGapByWhatWasSeen) {
 }
 
 TEST(DiscreteGradient, LeavesSidesAloneThatDoNotSlide) {
-  const Point3 gradient = find_discrete_gradient({0, 0, 1}, {1e-9, 0, -0.01}, -0.011, find_least_slide(false));
+  const Point3 gradient = find_discrete_gradient({0, 0, 1}, {1e-9, 0, -0.01}, -0.011, least_slide);
   EXPECT_NEAR(gradient.z, 1, 1e-12);
 }
 
 TEST(DiscreteGradient, TurnsByATangentOfOneFifthAtMost) {
-  const Point3 gradient = find_discrete_gradient({0, 0, 1}, {0.01, 0, 0}, 0.02, find_least_slide(false));
+  const Point3 gradient = find_discrete_gradient({0, 0, 1}, {0.01, 0, 0}, 0.02, least_slide);
   EXPECT_NEAR(gradient.x / gradient.z, 0.2, 1e-12);
 }
 
