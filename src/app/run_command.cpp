@@ -42,7 +42,6 @@ void report(const RunResult& result, const std::string& out_dir, const Deck& dec
   if (const std::string limit = describe_step_limit(s); !limit.empty()) print_quietly(stderr, "{}\n", limit);
   if (s.mass.in_run > 0) print_quietly(stderr, "mass: {}\n", format_added_mass(s));
   if (s.eroded.elements > 0) print_quietly(stderr, "eroded: {}\n", format_eroded(s));
-  if (const std::string loss = format_contact_loss(s); !loss.empty()) print_quietly(stderr, "contact: {}\n", loss);
   print_quietly(stderr, "results: {}\n", out_dir);
   if (result.exit_code == ExitCode::interrupted) {
     print_quietly(stderr, "checkpoint: {}; {}\n", result.checkpoint, result.resume);
@@ -50,6 +49,7 @@ void report(const RunResult& result, const std::string& out_dir, const Deck& dec
     print_quietly(stderr, "checkpoint: {}, {}, of the end: a later time.end and --restart continue the run\n",
                   result.checkpoint, format_file_size(result.checkpoint));
   }
+  if (const std::string loss = format_contact_loss(s); !loss.empty()) print_quietly(stderr, "contact: {}\n", loss);
   if (!s.warnings.empty()) print_quietly(stderr, "{}\n", describe_warnings(s, out_dir));
 }
 

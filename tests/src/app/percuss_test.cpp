@@ -208,8 +208,8 @@ contact: {surfaces: all, restitution: 0.5}
 )yaml");
   const auto run = [&](const std::string& e) {
     const std::string out = folder.path() + "/" + e;
-    return run_percuss({"run", file, "--out", out, "--set", "contact.restitution=" + e}).err +
-           run_percuss({"info", out}).out;
+    const std::string last_lines = run_percuss({"run", file, "--out", out, "--set", "contact.restitution=" + e}).err;
+    return last_lines + run_percuss({"info", out}).out;
   };
   EXPECT_THAT(run("0.5"), AllOf(HasSubstr("contact: normal contact took 0.00375, 37.5 % of the largest energy ("),
                                 HasSubstr("\n          normal contact took 0.00375, 37.5 %")));
