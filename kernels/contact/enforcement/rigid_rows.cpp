@@ -69,7 +69,9 @@ class Island {
       for (int d = 0; d < row.count; ++d) push(row, d, row.p[d]);
   }
 
-  /// Meets the rows until none changes by more than `enough` [velocity].
+  /// Meets the rows until none changes by more than `enough` [velocity], or until sweeps no longer change what the rows
+  /// see of the bodies: sticking rows of one body may ask for ways that no motion of the body has, and push against
+  /// each other without end.
   RigidReport solve(double enough) {
     constexpr int max_sweeps = 1000, plain_sweeps = 8;
     RigidReport report;
@@ -80,7 +82,7 @@ class Island {
       ++report.sweeps;
       double most = 0;
       for (IslandRow& row : rows_) most = std::max(most, meet(row));
-      if (most <= enough) return report;
+      if (most <= enough || note_velocities() <= enough) return report;
       ++report.sweeps;
       for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) meet(*row);
       if (is_accelerated) last_move = accelerate(last_move);
@@ -146,6 +148,21 @@ class Island {
     push(row, 0, change);
     row.p[0] = p;
     return row.count == 1 ? most : std::max(most, meet_friction(row));
+  }
+
+  /// The largest change of what the rows see of the bodies since the last call; infinite in the first.
+  double note_velocities() {
+    double most = seen_.empty() ? std::numeric_limits<double>::infinity() : 0;
+    seen_.resize(3 * rows_.size());
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      for (int d = 0; d < rows_[i].count; ++d) {
+        double& last = seen_[3 * i + at(d)];
+        const double now = find_velocity(rows_[i], d);
+        most = std::max(most, std::fabs(now - last));
+        last = now;
+      }
+    }
+    return most;
   }
 
   /// The friction that stops sliding, if Coulomb's limit allows; else the projected step, whose fixed points slide
@@ -239,6 +256,7 @@ class Island {
   std::vector<int> bodies_;  // ascending
   std::vector<BodyChange> velocity_;
   std::vector<IslandRow> rows_;
+  std::vector<double> seen_;  // [3 rows] velocities at the end of the last sweep forth
   std::optional<AndersonWindow> window_;
   Array<double> before_, after_;  // [3 rows] the sweeps
   HostMirror<Array<double>> on_host_;
