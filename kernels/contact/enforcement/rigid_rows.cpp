@@ -73,11 +73,11 @@ class Island {
   /// see of the bodies: sticking rows of one body may ask for ways that no motion of the body has, and push against
   /// each other without end.
   RigidReport solve(double enough) {
-    constexpr int max_sweeps = 1000, plain_sweeps = 8;
+    constexpr int max_sweeps = 1000, plain_sweeps = 8, accelerated_sweeps = 300;  // after these plain ones again
     RigidReport report;
     double last_move = std::numeric_limits<double>::infinity();
     while (report.sweeps < max_sweeps) {
-      const bool is_accelerated = report.sweeps >= plain_sweeps;
+      const bool is_accelerated = report.sweeps >= plain_sweeps && report.sweeps < accelerated_sweeps;
       if (is_accelerated) prepare_window();
       ++report.sweeps;
       double most = 0;
