@@ -57,7 +57,7 @@ double find_slip(double friction, double end) {
 
 /// The slip that a block, its part with more keys, has at the end.
 double shake(const std::string& more, const std::string& elements, const std::string& enforcement, double end) {
-  const HistoryTable h = run_deck(fmt::format(R"(
+  const HistoryTable h = run_deck(fmt::format(R"deck(
 time: {{end: {}}}
 parts:
   table: {{box: {{size: [0.6, 0.3, 0.02], cells: [6, 3, 1]}}, at: [-0.3, -0.15, -0.02], material: soft, rigid: true}}
@@ -66,19 +66,12 @@ materials: {{soft: {{model: elastic, density: 1000, youngs_modulus: 1e7, poisson
 elements: {{{}}}
 contact: {{surfaces: all, friction: 0.3, enforcement: {}}}
 loads: {{gravity: [0, 0, -{}]}}
-conditions: [{{body: table, velocity: {{x: {{expression: "{} * sin({} * t)"
-}
-}
-, y : 0, z : 0, rx : 0, ry : 0, rz : 0
-}
-}
-}
-}]
+conditions: [{{body: table, velocity: {{x: {{expression: "{} * sin({} * t)"}}, y: 0, z: 0, rx: 0, ry: 0, rz: 0}}}}]
 output: {{history: {{every: 1e-3, motion: all}}}}
-)",
+)deck",
                                               end, more, elements, enforcement, g, shaken_speed, shaken_rate))
                              .history;
-return h.last("mean_displacement_x:block") - h.last("mean_displacement_x:table");
+  return h.last("mean_displacement_x:block") - h.last("mean_displacement_x:table");
 }
 
 }  // namespace
