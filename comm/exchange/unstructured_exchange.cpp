@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "comm/exchange/consensus.hpp"
+#include "kernels/core/contract.hpp"
 
 namespace percuss {
 
@@ -75,6 +76,7 @@ ExchangePlan UnstructuredExchange::plan(const std::vector<PeerRun>& to, PlanMeth
   std::vector<PeerRun> to_self;
   for (const PeerRun& run : to) {
     if (run.count == 0) continue;
+    PERCUSS_EXPECT(plan.to.empty() || (run.rank > plan.to.back().rank && run.first == plan.send_count()));
     plan.to.push_back(run);
     (run.rank == ranks_->rank() ? to_self : to_others).push_back(run);
   }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "comm/exchange/exchange_buffers.hpp"
+#include "kernels/core/contract.hpp"
 
 namespace percuss {
 
@@ -17,6 +18,7 @@ HaloSwap::HaloSwap(const Communicator& ranks, const HaloPlan& plan)
 
 void HaloSwap::begin(const ExecSpace& space, const Rows3<double>& slot_values) {
   const auto first = static_cast<std::size_t>(first_remote_slot_);
+  PERCUSS_EXPECT(slot_values.extent(0) == first + static_cast<std::size_t>(exchange_.receive_count()));
   const std::pair<std::size_t, std::size_t> remote{first, first + static_cast<std::size_t>(exchange_.receive_count())};
   remote_values_ = Kokkos::subview(slot_values, remote, Kokkos::ALL);
   receive_buffer_ = Kokkos::create_mirror_view(remote_values_);

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "kernels/core/contract.hpp"
+#include "kernels/core/host_copy.hpp"
 #include "kernels/core/prefetch.hpp"
 #include "kernels/core/tensor.hpp"
 #include "kernels/core/transpose.hpp"
@@ -235,6 +237,7 @@ void launch_chunks(const char* label, const ExecSpace& space, const ElementChunk
                    const Kernel& kernel, std::size_t more_bytes = 0) {
   const int count = static_cast<int>(list.extent(0));
   if (count == 0) return;
+  PERCUSS_EXPECT(is_ascending(to_host(list), 0, count));
   using Scratch = typename Kernel::Scratch;
   if constexpr (std::is_same_v<typename Scratch::Scalar, Real>) {
     Kokkos::parallel_for(label, Scratch::make_policy(space, count, chunks.largest_slot_count, more_bytes), kernel);

@@ -1,6 +1,7 @@
 #pragma once
 // A curve of a material: rows (x, y), straight between them, level before the first and after the last.
 
+#include "kernels/core/contract.hpp"
 #include "kernels/core/simd.hpp"
 
 namespace percuss {
@@ -27,6 +28,7 @@ struct MaterialTable {
 template <class T>
 KOKKOS_INLINE_FUNCTION MaterialTable::Value<T> interpolate_rows(const double* x, const double* y, int rows,
                                                                 const T& at) {
+  PERCUSS_EXPECT(rows > 0);
   MaterialTable::Value<T> value{T(y[0]), T(0)};
   for (int i = 0; i + 1 < rows; ++i) {
     const auto past = at >= T(x[i]);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "kernels/core/contract.hpp"
 #include "src/contact/contact_stage_impl.hpp"
 #include "src/contact/history/contact_checkpoint.hpp"
 #include "src/contact/overlap/part_gaps.hpp"
@@ -136,6 +137,8 @@ TieMeasures ContactStage::measure_ties() const {
 
 std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) {
   Impl& stage = *impl_;
+  PERCUSS_EXPECT(!stage.is_begun);  // prepared, or loaded from a checkpoint
+  stage.is_begun = true;
   // The finder of the run: its first step searches again, but the decomposition is made here and seen in the first
   // frame.
   const ContactDeck::Overlap overlap = stage.contact.overlap;
@@ -216,6 +219,7 @@ void ContactStage::archive(CheckpointArchive& archive) {
   stage.archive_watch(archive);
   stage.approach.archive(archive);
   if (!archive.is_loading()) return;
+  stage.is_begun = true;
   stage.forget_last_step();
   stage.search_again();
 }
@@ -223,6 +227,7 @@ void ContactStage::archive(CheckpointArchive& archive) {
 // (1.7), (1.8), (1.9), the last in Enforcer::enforce().
 ContactReport ContactStage::apply(const ContactMotion& motion) {
   Impl& stage = *impl_;
+  PERCUSS_EXPECT(stage.is_active && stage.is_begun);
   stage.enforcer.set_contact_velocities(motion);
   const SurfaceMotion checked{motion.x, motion.v, motion.dt};
   stage.is_step_counted = false;

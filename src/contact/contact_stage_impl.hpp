@@ -122,6 +122,7 @@ struct ContactStage::Impl {
   WallPairs walls;
   const bool has_walls;
   bool is_active = false;  // from the start to the end
+  bool is_begun = false;   // by prepare(), or from a checkpoint
   bool is_relaxing = false;
   bool forgets_springs = false;  // from the start of a relaxation to the end of the first step after it
   const ContactDeck contact;

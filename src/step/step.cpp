@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kernels/core/contract.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/deck/contact_springs.hpp"
 #include "src/step/phases.hpp"
@@ -142,6 +143,7 @@ void Stepper::archive(CheckpointArchive& archive) {
 // it with the forces at n+1, so that (1.6) to (1.9) come before (1.3) to (1.5). (1.1) comes after the step, where
 // elements have died in it: Run::erode().
 void Stepper::advance(State& state, StepWishes wishes) {
+  PERCUSS_EXPECT(state.next_dt > 0 && state.bound.failed_element < 0);
   const double dt = state.next_dt;
   const StepTimes times{state.time, dt, 0.5 * (state.dt + dt)};
   const bool is_free = are_nodes_free();

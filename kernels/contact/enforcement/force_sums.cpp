@@ -1,5 +1,6 @@
 #include "kernels/contact/enforcement/force_sums.hpp"
 
+#include "kernels/core/contract.hpp"
 #include "kernels/core/small_space.hpp"
 
 namespace percuss {
@@ -8,6 +9,7 @@ namespace {
 /// The chunk that a node belongs to. first_node: [chunks + 1].
 KOKKOS_INLINE_FUNCTION int find_chunk_of_node(const Array<const std::int64_t>& first_node, std::int64_t number) {
   int low = 0, high = static_cast<int>(first_node.extent(0)) - 1;  // the first beyond it is in (low, high]
+  PERCUSS_EXPECT(first_node(low) <= number && number < first_node(high));
   while (high - low > 1) {
     const int middle = (low + high) / 2;
     if (first_node(middle) <= number)

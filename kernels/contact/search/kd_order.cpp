@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "kernels/contact/surface/lane_mask.hpp"
+#include "kernels/core/contract.hpp"
 #include "kernels/core/same_bits.hpp"
 
 namespace percuss {
@@ -63,6 +64,7 @@ std::vector<int> find_kd_order(const std::vector<double>& points) {
 std::vector<int> carry_order(const std::vector<int>& order, const std::vector<std::int64_t>& before,
                              const std::vector<std::int64_t>& now) {
   constexpr std::size_t part = 8;
+  PERCUSS_EXPECT(std::is_sorted(before.begin(), before.end()) && std::is_sorted(now.begin(), now.end()));
   if (order.size() != before.size()) return {};
   std::vector<int> places(before.size(), -1), fresh;  // places in `now`
   std::size_t b = 0;
