@@ -146,7 +146,8 @@ KOKKOS_INLINE_FUNCTION void return_by_isotropic_hardening(const Material& m, Poi
   step.history[0] = step.history[0] + dp;
   if constexpr (requires { m.heat(step.history, dp, dp, 1.0); }) {
     const Symmetric3<T> deviator = add_pressure(step.stress, T(-1.0 / 3.0) * trace(step.stress));
-    const T before = square_root(T(1.5)) * square_root(contract(deviator, deviator));
+    // Where the point begins to yield within the step, plastic strain begins at the yield stress.
+    const T before = larger(square_root(T(1.5)) * square_root(contract(deviator, deviator)), flow.at_rest);
     m.heat(step.history, dp, step.motion.middle_volume_ratio() * (T(0.5) * (before + flow_stress)), step.density);
   }
   return_stress(trial, resistance, dp, flow_stress, step);

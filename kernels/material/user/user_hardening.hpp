@@ -232,10 +232,12 @@ struct UserHardening : UserFields {
     const T degrees =
         T(specific_heat > 0 ? heating_share / (step.density * specific_heat) : 0) * step.motion.middle_volume_ratio();
     const Symmetric3<T> start = add_pressure(step.stress, T(-1.0 / 3.0) * trace(step.stress));
-    const T before = square_root(T(1.5) * contract(start, start)), temperature = step.history[1];
+    const T temperature = step.history[1];
     const ElasticTrial<T> trial = find_trial(c, step.stress, step.motion.de);
     Code<T> asked(*this, step);
     Answer<T> answer = asked.ask(T(0), temperature);
+    // Where the point begins to yield within the step, plastic strain begins at the yield stress.
+    const T before = larger(square_root(T(1.5) * contract(start, start)), answer.yield);
     const auto yields = trial.von_mises > answer.yield;
     T dp(0), flow_stress = answer.yield;
     const auto heat = [&](const T& strain) {
