@@ -18,7 +18,8 @@ Faces = list[tuple[int, ...]]
 
 @dataclass
 class Layer:
-    """Cohesive elements of one law, and the faces below and above them: their own, or those of solids that are tied to them."""
+    """Cohesive elements of one law, and the faces below and above them:
+    their own, or those of solids that are tied to them."""
 
     wish: str  # what the sides may be called
     place: Place
@@ -31,9 +32,10 @@ class Layer:
         return {node for face in self.own[side] for node in face}
 
 
-def make_layer(model: Model, wish: str, elements: Iterable[tuple[int, tuple[int, ...]]], law: Deck, place: Place) -> Layer:
-    """elements: (id, corners), those of the face below first; corners that are named more than once are of wedges. Sides whose
-    faces are those of solids are known then."""
+def make_layer(model: Model, wish: str, elements: Iterable[tuple[int, tuple[int, ...]]], law: Deck,
+               place: Place) -> Layer:
+    """elements: (id, corners), those of the face below first; corners that are named more than once are of wedges.
+    Sides whose faces are those of solids are known then."""
     below, above, gap = [], [], 0.0
     for _, corners in elements:
         half = len(corners) // 2
@@ -41,7 +43,8 @@ def make_layer(model: Model, wish: str, elements: Iterable[tuple[int, tuple[int,
         above.append(tuple(dict.fromkeys(corners[half:])))
         gap = max([gap, *(math.dist(model.nodes[a], model.nodes[b]) for a, b in zip(corners, corners[half:]))])
     layer = Layer(wish, place, law, (below, above), gap)
-    known = {frozenset(corners[i] for i in face) for block in model.blocks for _, corners in block.solids for face in FACES[len(corners)]}
+    known = {frozenset(corners[i] for i in face) for block in model.blocks for _, corners in block.solids
+             for face in FACES[len(corners)]}
     for side, faces in enumerate(layer.own):
         if all(frozenset(face) in known for face in faces):
             layer.sides[side] = faces
@@ -59,11 +62,13 @@ def add_layer(model: Model, ledger: Ledger, layer: Layer) -> bool:
     for key, side in (("a", finer), ("b", 1 - finer)):
         tie[key] = model.names.take(f"{layer.wish}_{('below', 'above')[side]}")
         model.side_sets[tie[key]] = layer.sides[side]
-    reach = layer.gap + sum(find_distance(model, faces, own) for faces, own in zip(layer.sides, layer.own) if faces is not own)
+    reach = (layer.gap
+             + sum(find_distance(model, faces, own) for faces, own in zip(layer.sides, layer.own) if faces is not own))
     if reach > 0:
         tie["distance"] = REACH * reach
     model.deck.setdefault("contact", {}).setdefault("ties", []).append(tie | {"cohesive": layer.law})
-    text = "contact.ties with cohesive between the solids on both sides: a point of glue at each node of the finer one; the mass of the layer is left out"
+    text = ("contact.ties with cohesive between the solids on both sides: a point of glue at each node of the finer "
+            "one; the mass of the layer is left out")
     ledger.approximated("ELEMENT.cohesive", layer.place, text)
     return True
 
@@ -95,7 +100,8 @@ def find_energy_fault(law: Deck) -> str:
 
 
 def choose_covered(model: Model, faces: Faces, own: Faces) -> Faces:
-    """Those of the faces that lie at a layer. The layer's faces are sorted into cells of a grid as wide as the largest of them."""
+    """Those of the faces that lie at a layer.
+    The layer's faces are sorted into cells of a grid as wide as the largest of them."""
     if not own or not faces:
         return []
     size = max(math.dist(model.nodes[a], model.nodes[b]) for face in own for a in face for b in face)
@@ -125,11 +131,12 @@ def near(cells: dict[tuple[int, ...], list[list[Vector]]], x: Vector, size: floa
 
 
 def covers(face: list[Vector], other: list[Vector], far: float) -> bool:
-    """Whether the middle of another face lies over a face, not farther than that from its plane, and they are parallel within
-    45 degrees."""
+    """Whether the middle of another face lies over a face, not farther than that from its plane, and they are parallel
+    within 45 degrees."""
     normal, turned, x = area_vector(face), area_vector(other), mean(other)
     size = math.sqrt(dot(normal, normal)) or 1.0
-    if abs(dot(normal, subtract(x, mean(face)))) > far * size or 2 * dot(normal, turned) ** 2 < size**2 * dot(turned, turned):
+    if (abs(dot(normal, subtract(x, mean(face)))) > far * size
+            or 2 * dot(normal, turned) ** 2 < size**2 * dot(turned, turned)):
         return False
     edges = zip(face, face[1:] + face[:1])
     return all(dot(normal, cross(subtract(b, a), subtract(x, a))) >= -1e-9 * size * size for a, b in edges)

@@ -34,7 +34,8 @@ def choose_reader(path: str) -> Callable[[Ledger], Model]:
         head = file.read(4096)
     if b"*KEYWORD" in head.upper():
         return lambda ledger: read_keyword_deck(path, ledger)
-    raise BadInput(clean(path), "not a keyword deck and not an Abaqus deck (by its ending and its first lines): name it .k, .key, .dyn or .inp")
+    raise BadInput(clean(path), "not a keyword deck and not an Abaqus deck (by its ending and its first lines): "
+                                "name it .k, .key, .dyn or .inp")
 
 
 def refuse_case(path: str, ledger: Ledger) -> Ledger:
@@ -44,8 +45,10 @@ def refuse_case(path: str, ledger: Ledger) -> Ledger:
 
 
 def make_ledger(patterns: list[str], fits_rates: bool, case: str = "", library: str = "") -> Ledger:
-    words = [word.strip().lstrip("*").upper() if word.strip() != "*" else "ALL" for text in patterns for word in text.split(",")]
-    return Ledger(allowed=[word for word in words if word], fits_rates=fits_rates, case=case.strip(), user_code=os.path.abspath(library) if library else "")
+    words = [word.strip().lstrip("*").upper() if word.strip() != "*" else "ALL" for text in patterns
+             for word in text.split(",")]
+    return Ledger(allowed=[word for word in words if word], fits_rates=fits_rates, case=case.strip(),
+                  user_code=os.path.abspath(library) if library else "")
 
 
 def import_model(arguments: argparse.Namespace) -> int:
@@ -69,12 +72,14 @@ def import_model(arguments: argparse.Namespace) -> int:
         raise
     refused = ledger.list_refused()
     if not refused and not model.blocks:
-        raise BadInput(clean(arguments.model), "no part is left to run (every part was left out): read import_report.md and allow less")
+        raise BadInput(clean(arguments.model),
+                       "no part is left to run (every part was left out): read import_report.md and allow less")
     earlier.refuse_to_overwrite(arguments, [DECK, MESH, *model.tables], ledger.files)
     for name in REPORTS:
         earlier.refuse_source(os.path.join(arguments.out, name), arguments.model, ledger.files)
     if model.units and arguments.units and model.units != arguments.units:
-        raise BadInput(clean(arguments.model), f"a blast of the model is in {model.units} (--units says {arguments.units}): leave --units out, or correct UNIT of the blast")
+        raise BadInput(clean(arguments.model), f"a blast of the model is in {model.units} (--units says "
+                                               f"{arguments.units}): leave --units out, or correct UNIT of the blast")
     arguments.units = arguments.units or model.units
     summary = report.summarise(model, [units.describe(model, arguments.units)])
     os.makedirs(arguments.out, exist_ok=True)
@@ -89,7 +94,8 @@ def import_model(arguments: argparse.Namespace) -> int:
 
 
 def add_later_refusals(arguments: argparse.Namespace, ledger: Ledger) -> None:
-    """Reads the model once more as if all that is refused were allowed, and checks what it becomes: the user gets all refusals at once."""
+    """Reads the model once more as if all that is refused were allowed, and checks what it becomes:
+    the user gets all refusals at once."""
     trial = make_ledger(arguments.allow, arguments.fit_rates, arguments.case, arguments.allow_library)
     trial.presumes = True
     try:
@@ -113,14 +119,16 @@ def print_unused(ledger: Ledger) -> None:
 def write_reports(arguments: argparse.Namespace, ledger: Ledger, summary: list[str], deck: str) -> None:
     """deck: the file just written; empty: none, and one of an earlier import stays."""
     report.write_report(os.path.join(arguments.out, "import_report.md"), arguments.model, ledger, summary)
-    report.write_json(os.path.join(arguments.out, earlier.REPORT), arguments.model, ledger, summary, earlier.find_mark(deck) or earlier.read_mark(arguments.out))
+    report.write_json(os.path.join(arguments.out, earlier.REPORT), arguments.model, ledger, summary,
+                      earlier.find_mark(deck) or earlier.read_mark(arguments.out))
 
 
 def print_refused(arguments: argparse.Namespace, ledger: Ledger) -> int:
     """What is refused, and that no deck is written."""
     print_errors(ledger)
     print(
-        f"percuss import: no deck is written; {os.path.join(arguments.out, 'import_report.md')} lists every card", file=sys.stderr
+        f"percuss import: no deck is written; {os.path.join(arguments.out, 'import_report.md')} lists every card",
+        file=sys.stderr
     )
     return 2
 
@@ -135,7 +143,8 @@ def print_errors(ledger: Ledger) -> None:
 
 
 def write_checked(arguments: argparse.Namespace, ledger: Ledger, model: Model) -> proof.Verdict:
-    """Writes deck, mesh and tables to a folder of their own, checks them there, and moves them to their places if they pass."""
+    """Writes deck, mesh and tables to a folder of their own, checks them there,
+    and moves them to their places if they pass."""
     folder = tempfile.mkdtemp(prefix=".import_", dir=arguments.out.rstrip("/") or "/")
     try:
         names = write_files(arguments, model, folder)
@@ -152,7 +161,8 @@ def check_written(arguments: argparse.Namespace, ledger: Ledger, model: Model, f
     """Checks the deck of a folder that is to be moved, unless the user wants no check. Its errors become refusals."""
     deck, place = os.path.join(folder, DECK), arguments.out.rstrip("/") or "/"
     verdict = proof.check_deck(deck, ledger.user_code) if arguments.check else proof.Verdict(0)
-    verdict = verdict._replace(output=verdict.output.replace(folder, place), errors=verdict.errors.replace(folder, place))
+    verdict = verdict._replace(output=verdict.output.replace(folder, place),
+                               errors=verdict.errors.replace(folder, place))
     if verdict.code == 2:
         proof.refuse_checked(model, ledger, arguments.model, deck, verdict)
     return verdict

@@ -27,7 +27,8 @@ class Curve:
 
 
 def order_points(points: Points, span: float = math.inf) -> Points:
-    """Ascending abscissae: a vertical step becomes one of a millionth of the way to the next point, or of the span that counts if that is less."""
+    """Ascending abscissae: a vertical step becomes one of a millionth of the way to the next point,
+    or of the span that counts if that is less."""
     rows: Points = []
     for x, members in groupby(sorted(points, key=lambda point: point[0]), key=lambda point: point[0]):
         values = [y for _, y in members]
@@ -43,7 +44,9 @@ def widen_steps(rows: Points, span: float) -> Points:
     for i in range(1, len(rows)):
         x = rows[i][0]
         if x == rows[i - 1][0]:
-            ways = [abs(other - x) for other in (rows[i - 2][0] if i > 1 else x, rows[i + 1][0] if i + 1 < len(rows) else x) if other != x]
+            ways = [abs(other - x)
+                    for other in (rows[i - 2][0] if i > 1 else x, rows[i + 1][0] if i + 1 < len(rows) else x)
+                    if other != x]
             gap = max(STEP * min(span, min(ways, default=abs(x) or 1.0)), 4 * math.ulp(x))
             widened[i] = (x + gap, rows[i][1])
     return widened
@@ -67,7 +70,8 @@ def is_constant(points: Points, end: float) -> bool:
 
 
 def make_time_value(curve: Curve, scale: float, end: float, shift: float = 0.0) -> "float | Deck":
-    """A value of the deck over time. Before and behind the points it is 0, as in LS-DYNA; so is a curve of dynamic relaxation alone."""
+    """A value of the deck over time. Before and behind the points it is 0, as in LS-DYNA;
+    so is a curve of dynamic relaxation alone."""
     curve.is_of_time = True
     if curve.relaxation == 1:
         return 0.0
@@ -118,7 +122,8 @@ def thin_rows(points: Points, most: int = MOST_MATERIAL_ROWS) -> tuple[Points, f
     stride = -(-len(points) // MOST_COMPARED_ROWS)
     rows = points[:-1:stride] + points[-1:]
     while len(rows) > most:
-        changes = [abs(interpolate([rows[i - 1], rows[i + 1]], rows[i][0]) - rows[i][1]) for i in range(1, len(rows) - 1)]
+        changes = [abs(interpolate([rows[i - 1], rows[i + 1]], rows[i][0]) - rows[i][1])
+                   for i in range(1, len(rows) - 1)]
         del rows[1 + changes.index(min(changes))]
     largest = max((abs(y) for _, y in points), default=0.0) or 1.0
     return rows, max((abs(interpolate(rows, x) - y) for x, y in points), default=0.0) / largest

@@ -69,7 +69,8 @@ def format_number(value: float) -> str:
 
 
 class Dumper(yaml.SafeDumper):
-    """Numbers in their shortest form; the rest as the library writes it. What it does not know, None included, is an error."""
+    """Numbers in their shortest form; the rest as the library writes it.
+    What it does not know, None included, is an error."""
 
     def ignore_aliases(self, data: Any) -> bool:
         return True
@@ -89,7 +90,8 @@ for kind, writer in ((float, Dumper.write_number), (int, Dumper.write_number), (
                      (tuple, Dumper.represent_list), (type(None), Dumper.refuse_none)):  # fmt: skip
     Dumper.add_representer(kind, writer)  # type: ignore[arg-type]
 # What YAML 1.2 and percuss take for a number: 1e5 is written plain as a number, and quoted as a text.
-Dumper.add_implicit_resolver(FLOAT, re.compile(r"[-+]?((\.\d+|\d+\.?\d*)([eE][-+]?\d+)?|nan|inf)\Z", re.IGNORECASE), list("-+.0123456789nNiI"))
+Dumper.add_implicit_resolver(FLOAT, re.compile(r"[-+]?((\.\d+|\d+\.?\d*)([eE][-+]?\d+)?|nan|inf)\Z", re.IGNORECASE),
+                             list("-+.0123456789nNiI"))
 
 
 def dump(entry: Any, width: int = WIDTH) -> str:
@@ -151,16 +153,19 @@ def list_start_remarks(deck: Deck) -> list[str]:
         return []
     loads = deck.get("loads", {})
     forces = f"{'Gravity acts' if 'gravity' in loads else 'Loads act'} in them" if loads else "No load acts in them"
-    held = "the conditions of the deck act; nothing is held beyond them" if deck.get("conditions") else "no condition holds the model"
+    held = ("the conditions of the deck act; nothing is held beyond them" if deck.get("conditions")
+            else "no condition holds the model")
     lines = [f"# Preloads are reached in damped steps before time 0. {forces}, and {held}."]
     if loads:
-        lines.append("# start.relaxation.hold is empty: name there the parts or nodes that would fall or fly, such as relaxation: {hold: [PART]}.")
+        lines.append("# start.relaxation.hold is empty: name there the parts or nodes that would fall or fly, "
+                     "such as relaxation: {hold: [PART]}.")
     return lines
 
 
 def write_deck(model: Model, source: str, mesh_file: str, units: str) -> str:
     """The text of deck.yaml, with every section of the model."""
-    sections: Deck = {**model.deck, "silence": list_silenced(model), "parts": make_parts(model, mesh_file), "materials": model.materials}
+    sections: Deck = {**model.deck, "silence": list_silenced(model), "parts": make_parts(model, mesh_file),
+                      "materials": model.materials}
     unknown = sorted(set(sections) - set(ORDER))
     if unknown:
         raise RuntimeError(f"the importer has no place in the deck for the section {', '.join(unknown)}")

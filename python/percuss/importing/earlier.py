@@ -22,14 +22,16 @@ def find_mark(path: str) -> str:
 
 
 def refuse_to_overwrite(arguments: argparse.Namespace, names: list[str], sources: set[str]) -> None:
-    """Refuses files that are there, unless --force is given; those that the model is read from (sources) in any case."""
+    """Refuses files that are there, unless --force is given;
+    those that the model is read from (sources) in any case."""
     for name in names:
         path = os.path.join(arguments.out, name)
         if not os.path.lexists(path):
             continue
         refuse_source(path, arguments.model, sources)
         if not arguments.force:
-            raise BadInput(clean(path), f"{describe_loss(path, name, arguments.out)} (an import overwrites nothing without --force): choose another folder with --out, or give --force")
+            raise BadInput(clean(path), f"{describe_loss(path, name, arguments.out)} (an import overwrites nothing "
+                                        "without --force): choose another folder with --out, or give --force")
 
 
 def refuse_source(path: str, model: str, sources: set[str]) -> None:
@@ -38,9 +40,11 @@ def refuse_source(path: str, model: str, sources: set[str]) -> None:
     if not os.path.exists(path):
         return
     if os.path.samefile(path, model):
-        raise BadInput(clean(path), "this is the model itself (the import would write its mesh or deck here): choose another folder with --out")
+        raise BadInput(clean(path), "this is the model itself (the import would write its mesh or deck here): "
+                                    "choose another folder with --out")
     if any(os.path.exists(source) and os.path.samefile(path, source) for source in sources):
-        raise BadInput(clean(path), "this is a file that the model includes (the import would write over it): choose another folder with --out")
+        raise BadInput(clean(path), "this is a file that the model includes (the import would write over it): "
+                                    "choose another folder with --out")
 
 
 def describe_loss(path: str, name: str, folder: str) -> str:
@@ -55,7 +59,8 @@ def describe_loss(path: str, name: str, folder: str) -> str:
 
 
 def read_mark(folder: str) -> str:
-    """Of the deck as the last import wrote it; empty if that is not known, as of a report that no import has written."""
+    """Of the deck as the last import wrote it;
+    empty if that is not known, as of a report that no import has written."""
     try:
         mark = load_json(os.path.join(folder, REPORT), {"deck_sha256": TEXT})["deck_sha256"]
     except NotResults:
@@ -66,4 +71,5 @@ def read_mark(folder: str) -> str:
 def refuse_no_file(path: str) -> None:
     """Refuses what is there and is no regular file: a pipe would wait for a reader, a device would be written to."""
     if os.path.lexists(path) and not os.path.isfile(path):
-        raise BadInput(clean(path), "this is not a regular file (the import would write here): choose another folder with --out")
+        raise BadInput(clean(path),
+                       "this is not a regular file (the import would write here): choose another folder with --out")

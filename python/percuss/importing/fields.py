@@ -56,15 +56,17 @@ REASONS = {
     "storage": "how data are stored",
     "attribute": "of members of a set, which only cards use that are refused",
     "default": "the defaults of what another card gives",
-    "penalty": "of the penalty method, its stiffness and search: percuss corrects velocities, and holds joints and walls without springs",
+    "penalty": "of the penalty method, its stiffness and search: percuss corrects velocities, "
+               "and holds joints and walls without springs",
 }
 
 
 class Row:
     """Named fields of one line.
 
-    The layout is words: `NAME` (0 or blank by default), `NAME=2` (another default) and `NAME~output` (without physics whatever it
-    is, for a reason of REASONS). finish() reports each field that has another value than its default and was not asked for.
+    The layout is words: `NAME` (0 or blank by default), `NAME=2` (another default) and `NAME~output` (without physics
+    whatever it is, for a reason of REASONS).
+    finish() reports each field that has another value than its default and was not asked for.
     """
 
     change: Any = None  # of the file that holds it: offsets of ids, factors of units
@@ -132,7 +134,8 @@ class Row:
         return self.number(name) or default
 
     def fail(self, name: str, text: str) -> NoReturn:
-        raise BadInput(self.place, f"{name} of *{self.card} is '{clip(self._texts[name]) or self._defaults[name]}' ({text})")
+        raise BadInput(self.place,
+                       f"{name} of *{self.card} is '{clip(self._texts[name]) or self._defaults[name]}' ({text})")
 
     def skip(self, *names: str) -> None:
         """Marks fields as read."""
@@ -169,7 +172,8 @@ def shift_hint(text: str) -> str:
 
 
 def describe_columns(line: str, first: int, width: int) -> str:
-    """What to add to a message on a field of fixed width that has no number: which of its columns cut a word, or hold two."""
+    """What to add to a message on a field of fixed width that has no number:
+    which of its columns cut a word, or hold two."""
     last = min(first + width, len(line))
     for border in (first, last):
         if 0 < border < len(line) and not line[border - 1].isspace() and not line[border].isspace():
@@ -177,13 +181,15 @@ def describe_columns(line: str, first: int, width: int) -> str:
             word = line[start:].split()[0]
             return f"; column {border} ends a field of {width} and cuts '{clip(word)}': shift it"
     if len(line[first:last].split()) > 1:
-        return f"; columns {first + 1} to {first + width} are one field, and hold '{clip(line[first:last].strip())}': shift it"
+        return (f"; columns {first + 1} to {first + width} are one field, "
+                f"and hold '{clip(line[first:last].strip())}': shift it")
     return ""
 
 
 def find_cut_number(line: str, border: int, borders: list[int]) -> str:
-    """The number that the end of a column cuts: characters on both sides of it that are one number. Whole numbers that fill their columns
-    stand side by side, also behind a number that ends its own, and are none. Neither are those of a line whose fields all begin with their columns."""
+    """The number that the end of a column cuts: characters on both sides of it that are one number. Whole numbers that
+    fill their columns stand side by side, also behind a number that ends its own, and are none.
+    Neither are those of a line whose fields all begin with their columns."""
     start = len(line[:border]) - len(line[:border].split()[-1])
     word = line[start:].split()[0]
     if parse_real(word) is None:

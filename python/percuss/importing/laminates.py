@@ -43,7 +43,8 @@ def join_equal(layers: Sequence[Layer]) -> list[Layer]:
     return joined
 
 
-def add_plies(block: Block, layers: Sequence[Layer], laws: "dict[int | str, tuple[str, Deck]]", turns: "dict[int | str, float]") -> "tuple[str, Deck]":
+def add_plies(block: Block, layers: Sequence[Layer], laws: "dict[int | str, tuple[str, Deck]]",
+              turns: "dict[int | str, float]") -> "tuple[str, Deck]":
     """Gives a block its plies; returns the name and the law of its own material, from whose axes the angles count.
 
     laws: name and law of each material. turns: angle between the axes of a law and those of its material.
@@ -67,7 +68,8 @@ def add_plies(block: Block, layers: Sequence[Layer], laws: "dict[int | str, tupl
 
 def find_main(layers: Sequence[Layer], laws: "dict[int | str, tuple[str, Deck]]") -> int | str:
     """The material whose axes and failure count for a part: the first that has axes, and failure before others."""
-    order = sorted(layers, key=lambda layer: ("failure" not in laws[layer.material][1], not has_axes(laws[layer.material][1])))
+    order = sorted(layers,
+                   key=lambda layer: ("failure" not in laws[layer.material][1], not has_axes(laws[layer.material][1])))
     with_axes = [layer for layer in order if has_axes(laws[layer.material][1])]
     return (with_axes or order)[0].material
 
@@ -98,7 +100,8 @@ def find_size(model: Model, shells: Sequence[tuple[int, tuple[int, ...]]]) -> fl
 
 
 def find_crack_energy(strength: float, modulus: float, strain: float, share: float, size: float) -> float:
-    """Energy per area of a stress that stays at a share of its strength up to a strain, over the size of an element; 0 where it falls at once."""
+    """Energy per area of a stress that stays at a share of its strength up to a strain, over the size of an element;
+    0 where it falls at once."""
     first = strength / modulus
     return (0.5 * strength * first + share * strength * (strain - first)) * size if strain > first else 0.0
 
@@ -107,7 +110,8 @@ def list_normals(model: Model, shells: Iterable[tuple[int, tuple[int, ...]]]) ->
     normals = []
     for _, corners in shells:
         x = [model.nodes[node] for node in corners]
-        normals.append(normalise(cross(subtract(x[2], x[0]), subtract(x[-1], x[1])) if len(x) == 4 else cross(subtract(x[1], x[0]), subtract(x[2], x[0]))))
+        normals.append(normalise(cross(subtract(x[2], x[0]), subtract(x[-1], x[1])) if len(x) == 4
+                                 else cross(subtract(x[1], x[0]), subtract(x[2], x[0]))))
     return normals
 
 
@@ -123,7 +127,8 @@ def find_angle(normals: Sequence[Vector], main: Vector, axis: Vector) -> float |
     for normal in normals:
         a, b = project(main, normal), project(axis, normal)
         angles.append(math.degrees(math.atan2(dot(normal, cross(a, b)), dot(a, b))))
-    return angles[0] if angles and all(abs(math.remainder(angle - angles[0], 360)) <= SAME_ANGLE for angle in angles) else None
+    return (angles[0]
+            if angles and all(abs(math.remainder(angle - angles[0], 360)) <= SAME_ANGLE for angle in angles) else None)
 
 
 def reduce_points(ledger: Ledger, card: str, place: Place, layers: list[Layer]) -> list[Layer]:
@@ -134,7 +139,8 @@ def reduce_points(ledger: Ledger, card: str, place: Place, layers: list[Layer]) 
     if len(joined) > MOST_POINTS:
         ledger.refuse(card, place, f"{len(joined)} plies (percuss takes {MOST_POINTS})")
         return joined[:MOST_POINTS]
-    ledger.approximated(card, place, f"{len(layers)} plies become {len(joined)}: neighbours of one material and angle are one")
+    ledger.approximated(card, place,
+                        f"{len(layers)} plies become {len(joined)}: neighbours of one material and angle are one")
     return joined
 
 

@@ -11,7 +11,8 @@ import sys
 from .model import Block, Deck, Model
 
 TRAITS = "laws.json"
-NOT_DAMPED = "stiffness damping of elements other than hexahedra, shells and beams, or of a law whose elastic constants change"
+NOT_DAMPED = ("stiffness damping of elements other than hexahedra, shells and beams, "
+              "or of a law whose elastic constants change")
 
 
 @functools.cache
@@ -25,7 +26,8 @@ def read_traits() -> dict[str, list[str]]:
 def write_traits(schema: str) -> str:
     """The text of the file, from what `percuss schema` prints."""
     laws = json.loads(schema)["x-laws"]
-    lines = [f"{json.dumps(name)}: {json.dumps([trait for trait, is_so in laws[name].items() if is_so])}" for name in laws]
+    lines = [f"{json.dumps(name)}: {json.dumps([trait for trait, is_so in laws[name].items() if is_so])}"
+             for name in laws]
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
@@ -35,13 +37,15 @@ def has(law: Deck, trait: str) -> bool:
 
 
 def grows_in_increments(law: Deck) -> bool:
-    """Whether its stress may begin with any value and its elastic constants do not change: not with an equation of state."""
+    """Whether its stress may begin with any value and its elastic constants do not change:
+    not with an equation of state."""
     return has(law, "grows_in_increments") and "equation_of_state" not in law
 
 
 def hardens_isotropically(law: Deck) -> bool:
     """Whether it has constants or a table of isotropic hardening, and no other."""
-    return law["model"] in ("j2_plasticity", "tabulated_plasticity") or (law["model"] == "combined_hardening" and not law["kinematic_share"])
+    return (law["model"] in ("j2_plasticity", "tabulated_plasticity")
+            or (law["model"] == "combined_hardening" and not law["kinematic_share"]))
 
 
 def has_axes(law: Deck) -> bool:
@@ -61,7 +65,8 @@ def takes_beams(law: Deck) -> bool:
 
 
 def make_mooney_rivlin(c10: float, c01: float) -> Deck:
-    """Without its bulk modulus. percuss' law of this name takes no negative constants: the terms 2 and -2 of Ogden's law are the same energy."""
+    """Without its bulk modulus.
+    percuss' law of this name takes no negative constants: the terms 2 and -2 of Ogden's law are the same energy."""
     if c10 > 0 and c01 >= 0:
         return {"model": "mooney_rivlin", "c10": c10, "c01": c01}
     return {"model": "ogden", "terms": [[alpha, mu] for alpha, mu in ((-2.0, -2 * c01), (2.0, 2 * c10)) if mu]}
@@ -69,7 +74,8 @@ def make_mooney_rivlin(c10: float, c01: float) -> Deck:
 
 def find_law(model: Model, block: Block) -> Deck:
     """Of the elements of a part; empty where they are rigid, have none or several."""
-    return {} if block.keys.get("rigid") or "plies" in block.keys else model.materials.get(block.keys.get("material", ""), {})
+    return ({} if block.keys.get("rigid") or "plies" in block.keys
+            else model.materials.get(block.keys.get("material", ""), {}))
 
 
 def takes_stress(model: Model, block: Block) -> bool:

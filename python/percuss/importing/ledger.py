@@ -9,9 +9,12 @@ from typing import NamedTuple
 
 NAMED_ALONE = ("INCLUDE.outside",)  # not in --allow all
 SILENT = "nothing comes of it: no card that is translated refers to it, or what it refers to is left out"
-ELSEWHERE = "no row of its own: nothing that is translated refers to it, or its effect is in another row of this keyword"
+ELSEWHERE = ("no row of its own: nothing that is translated refers to it, "
+             "or its effect is in another row of this keyword")
 NO_COUNTERPART = "percuss has no counterpart"
-NO_SPRINGS = "percuss corrects velocities, without springs in contact; contact.enforcement: penalty has springs of its own"  # what became of those of a deck
+# what became of those of a deck
+NO_SPRINGS = ("percuss corrects velocities, without springs in contact; "
+              "contact.enforcement: penalty has springs of its own")
 MOST_FAULTS = 20  # after which reading stops
 
 
@@ -27,7 +30,8 @@ class Place(NamedTuple):
 
 REFERRED = "(this card refers to it)"
 # What a refusal says of what has no elements: where parts were refused it follows from that, and is not reported.
-FOLLOWS = ("without elements", "no element", "not in the mesh", "with elements", "any element", "without two named sides")
+FOLLOWS = ("without elements", "no element", "not in the mesh", "with elements", "any element",
+           "without two named sides")
 
 
 class BadInput(Exception):
@@ -128,7 +132,8 @@ class Ledger:
         self.note(card, Status.IGNORED, place, text)
 
     def allows(self, key: str) -> bool:
-        """Whether a pattern of the user covers the key. What reads other files of the user must be named: no pattern covers it."""
+        """Whether a pattern of the user covers the key.
+        What reads other files of the user must be named: no pattern covers it."""
         if key in NAMED_ALONE:
             self.used_patterns |= {key.upper()} & set(self.allowed)
             return key.upper() in self.allowed
@@ -144,14 +149,16 @@ class Ledger:
             self.note(key, Status.LEFT_OUT, place, f"{problem}: {instead}")
             return True
         reason = "" if problem.endswith(")") else f" ({NO_COUNTERPART})"
-        remedy = f"change or remove it, or use --allow {type_pattern(key)}; then {instead}" if instead else "change or remove it"
+        remedy = (f"change or remove it, or use --allow {type_pattern(key)}; then {instead}" if instead
+                  else "change or remove it")
         text = f"{problem}{reason}: {remedy}"
         self.note(key, Status.REFUSED, place, text)
         self.entries[key, Status.REFUSED, text].follows = any(word in problem for word in FOLLOWS)
         return self.presumes and bool(instead)
 
     def note_fault(self, error: BadInput) -> None:
-        """A card that cannot be read. What it defines may be what others miss: only faults of their own are kept of them."""
+        """A card that cannot be read.
+        What it defines may be what others miss: only faults of their own are kept of them."""
         if not (self.faults and error.is_missing):
             self.faults.append(error)
         if len(self.faults) == MOST_FAULTS:
@@ -176,8 +183,10 @@ class Ledger:
     def list_rows(self) -> list[Entry]:
         """All rows, by outcome, then by card."""
         order = list(Status)
-        causes = self.lost_parts and any(entry.status is Status.REFUSED and not entry.follows for entry in self.entries.values())
-        entries = [entry for entry in self.entries.values() if not (causes and entry.follows and entry.status is Status.REFUSED)]
+        causes = (self.lost_parts
+                  and any(entry.status is Status.REFUSED and not entry.follows for entry in self.entries.values()))
+        entries = [entry for entry in self.entries.values()
+                   if not (causes and entry.follows and entry.status is Status.REFUSED)]
         return sorted(entries, key=lambda e: (order.index(e.status), e.card, e.first))
 
     def list_refused(self) -> list[Entry]:

@@ -39,7 +39,8 @@ def list_blocks(model: Model) -> Iterator[str]:
                 if count == 8 and len(corners) == 10:
                     yield from (f"{id},{block.id},", ",".join(map(str, corners)))
                     continue
-                nodes = tuple(corners[i] for i in OF_EIGHT[len(corners)]) if count == 8 else corners + corners[-1:] * (count - len(corners))
+                nodes = (tuple(corners[i] for i in OF_EIGHT[len(corners)]) if count == 8
+                         else corners + corners[-1:] * (count - len(corners)))
                 yield f"{id},{block.id},{','.join(map(str, nodes))}"
                 if keyword == "*ELEMENT_SHELL_THICKNESS":
                     yield ",".join([format_number(block.thicknesses[id])] * 4)

@@ -67,7 +67,8 @@ NESTED = ("loads", "contact", "start", "output", "elements", "time")  # sections
 
 
 class Origins:
-    """Which card has made each entry of the deck, by its path there: (section, key or number...). It is noted after each card by what is new."""
+    """Which card has made each entry of the deck, by its path there: (section, key or number...).
+    It is noted after each card by what is new."""
 
     def __init__(self) -> None:
         self.cards: dict[tuple[str | int, ...], tuple[str, Place | None]] = {}
@@ -103,7 +104,9 @@ def list_containers(model: "Model") -> Iterator[tuple[tuple[str | int, ...], Any
         for key, inner in value.items() if section in NESTED and isinstance(value, dict) else ():
             if isinstance(inner, (list, dict)):
                 yield (section, key), inner
-                yield from (((section, key, name), more) for name, more in inner.items() if isinstance(more, list)) if isinstance(inner, dict) else ()
+            for name, more in inner.items() if isinstance(inner, dict) else ():
+                if isinstance(more, list):
+                    yield (section, key, name), more
 
 
 @dataclass
@@ -154,10 +157,12 @@ class Model:
     @property
     def tables(self) -> dict[str, list[str]]:
         """Files beside the deck, by name: their lines."""
-        return self.files | {name: [table.heading, *(row for rows in table.rows.values() for row in rows)] for name, table in self.start_tables.items()}
+        return self.files | {name: [table.heading, *(row for rows in table.rows.values() for row in rows)]
+                             for name, table in self.start_tables.items()}
 
     def add_start_rows(self, name: str, heading: str, rows: dict[int, list[str]]) -> None:
-        """Rows of elements, in a file beside the deck with its entry of start.fields. Of an element the later ones count."""
+        """Rows of elements, in a file beside the deck with its entry of start.fields.
+        Of an element the later ones count."""
         if name not in self.start_tables:
             self.start_tables[name] = StartTable(heading)
             self.deck.setdefault("start", {}).setdefault("fields", []).append({"file": name})

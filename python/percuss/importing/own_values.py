@@ -1,4 +1,5 @@
-"""Values that the importer chooses where the other program has none: percuss check would warn of them, and the user cannot mend them."""
+"""Values that the importer chooses where the other program has none: percuss check would warn of them,
+and the user cannot mend them."""
 
 from .model import Block, Model
 
@@ -9,7 +10,8 @@ LEAST_POINTS = 4  # of shells that yield
 
 def list_silenced(model: Model) -> list[str]:
     """Rules of percuss check that would speak of such values alone."""
-    scaled = [block.keys["mass_scaling"].get("max_added", 0.0) for block in model.blocks if "mass_scaling" in block.keys]
+    scaled = [block.keys["mass_scaling"].get("max_added", 0.0)
+              for block in model.blocks if "mass_scaling" in block.keys]
     heats = [law["specific_heat"] for law in model.materials.values() if "specific_heat" in law]
     thin = [block for block in model.blocks if block.shells and has_few_points(block)]
     rules = {"mass_scaling": scaled and min(scaled) >= UNLIMITED, "specific_heat": heats and min(heats) >= UNREACHED,

@@ -13,7 +13,8 @@ from percuss.program import find_program
 from .ledger import Ledger, Place, Status
 from .model import Model
 
-ERROR = re.compile(r"^(?:(?P<file>[^\n]*?):(?:(?P<line>\d+):(?:(?P<column>\d+):)?)? )?error: (?P<text>.*)$", re.MULTILINE)
+ERROR = re.compile(r"^(?:(?P<file>[^\n]*?):(?:(?P<line>\d+):(?:(?P<column>\d+):)?)? )?error: (?P<text>.*)$",
+                   re.MULTILINE)
 
 
 class Verdict(NamedTuple):
@@ -30,7 +31,8 @@ def check_deck(deck: str, library: str) -> Verdict:
         program = find_program()
     except NotResults:
         return Verdict(None)
-    done = subprocess.run([program, "check", deck, *(["--allow-library", library] if library else [])], capture_output=True, text=True, errors="replace", check=False)
+    done = subprocess.run([program, "check", deck, *(["--allow-library", library] if library else [])],
+                          capture_output=True, text=True, errors="replace", check=False)
     return Verdict(done.returncode, done.stdout, done.stderr)
 
 
@@ -47,7 +49,8 @@ def refuse_checked(model: Model, ledger: Ledger, source: str, deck: str, verdict
         at = f" (at {'.'.join(map(str, path))} of the deck)" if path else ""
         ledger.note(card, Status.REFUSED, place, f"percuss check refuses what becomes of it{at}: {error['text']}")
     if not found:
-        ledger.note("(model)", Status.REFUSED, Place(source, 1), f"percuss check ends with exit code {verdict.code}: {verdict.errors.strip()[:500]}")
+        ledger.note("(model)", Status.REFUSED, Place(source, 1),
+                    f"percuss check ends with exit code {verdict.code}: {verdict.errors.strip()[:500]}")
 
 
 def find_card(model: Model, ledger: Ledger, path: list[str | int]) -> tuple[str, Place] | None:
@@ -70,7 +73,8 @@ def find_path(node: Any, line: int, column: int) -> list[str | int]:
     path: list[str | int] = []
     while not isinstance(node, yaml.ScalarNode) and node is not None:
         is_map = isinstance(node, yaml.MappingNode)
-        children = [(key.value, key, value) for key, value in node.value] if is_map else [(i, item, item) for i, item in enumerate(node.value)]
+        children = ([(key.value, key, value) for key, value in node.value] if is_map
+                    else [(i, item, item) for i, item in enumerate(node.value)])
         inside = [child for child in children if holds(child[1], child[2], line - 1, column - 1)]
         if not inside:
             break

@@ -1,5 +1,5 @@
-"""Curves for several strain rates, and factors over the rate, as a table of percuss. Where the user asks for it, they become
-Cowper and Symonds' law instead: 1 + (rate / C)^(1 / P).
+"""Curves for several strain rates, and factors over the rate, as a table of percuss. Where the user asks for it, they
+become Cowper and Symonds' law instead: 1 + (rate / C)^(1 / P).
 """
 
 import math
@@ -60,9 +60,11 @@ def add_rates(ledger: Ledger, place: Place, law: Deck, curves: Curves, key: str,
     curves, error = thin_curves(curves, logarithmic)
     if error > 1e-12:
         ledger.approximated(
-            key, place, f"curves become {len(curves)} with {sum(len(rows) for _, rows in curves)} rows in all, within {error:.2g} of the largest stress"
+            key, place, f"curves become {len(curves)} with {sum(len(rows) for _, rows in curves)} rows in all, "
+                        f"within {error:.2g} of the largest stress"
         )
-    law |= {"model": "rate_table_plasticity", "hardening_at_rates": [[rate, [list(row) for row in rows]] for rate, rows in curves]}
+    law |= {"model": "rate_table_plasticity",
+            "hardening_at_rates": [[rate, [list(row) for row in rows]] for rate, rows in curves]}
     if logarithmic:
         law["rate_interpolation"] = "logarithmic"
 
@@ -76,12 +78,14 @@ def thin_curves(curves: Curves, logarithmic: bool) -> tuple[Curves, float]:
     while len(kept) > MOST_RATES:
         del kept[min(range(1, len(kept) - 1), key=lambda k: measure_absence(kept, k, logarithmic))]
     left, rows = MOST_ROWS, {}
-    for done, k in enumerate(sorted(range(len(kept)), key=lambda k: len(kept[k][1]))):  # what short ones leave goes to long ones
+    # what short ones leave goes to long ones
+    for done, k in enumerate(sorted(range(len(kept)), key=lambda k: len(kept[k][1]))):
         rows[k] = thin_rows(kept[k][1], left // (len(kept) - done))[0]
         left -= len(rows[k])
     kept = [(rate, rows[k]) for k, (rate, _) in enumerate(kept)]
     largest = max(stress for _, points in curves for _, stress in points)
-    return kept, max(abs(find_stress(kept, p, rate, logarithmic) - stress) for rate, points in curves for p, stress in points) / largest
+    return (kept, max(abs(find_stress(kept, p, rate, logarithmic) - stress) for rate, points in curves
+                      for p, stress in points) / largest)
 
 
 def measure_absence(curves: Curves, k: int, logarithmic: bool) -> float:
@@ -136,12 +140,15 @@ def measure_fit(curves: Curves, law: "tuple[float, float] | None", logarithmic: 
 def add_fit(ledger: Ledger, place: Place, law: Deck, curves: Curves, key: str, logarithmic: bool) -> None:
     """The curve of the lowest rate with Cowper and Symonds' factors."""
     base, strains = curves[0][1], find_common_strains(curves)
-    means = [(rate, sum(interpolate(points, p) / interpolate(base, p) for p in strains) / SAMPLES) for rate, points in curves[1:]]
+    means = [(rate, sum(interpolate(points, p) / interpolate(base, p) for p in strains) / SAMPLES)
+             for rate, points in curves[1:]]
     found = fit_cowper_symonds(means)
     error, rate = measure_fit(curves, found, logarithmic)
-    text = f"Cowper and Symonds with C = {found[0]:.4g} and P = {found[1]:.4g}" if found else "the stress does not depend on the rate"
+    text = (f"Cowper and Symonds with C = {found[0]:.4g} and P = {found[1]:.4g}" if found
+            else "the stress does not depend on the rate")
     ledger.approximated(
-        key, place, f"{text}, as asked for: {100 * error:.2g} % off the table at {rate:.4g}, the worst from a tenth of its lowest rate to ten times its highest"
+        key, place, f"{text}, as asked for: {100 * error:.2g} % off the table at {rate:.4g}, "
+                    "the worst from a tenth of its lowest rate to ten times its highest"
     )
     law |= {"model": "tabulated_plasticity", "hardening": [list(row) for row in thin_rows(base, MOST_MATERIAL_ROWS)[0]]}
     if found:

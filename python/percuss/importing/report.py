@@ -12,7 +12,8 @@ from .solids import NAMES
 
 WIDTH = 118
 TOLD = {Status.REFUSED: "refused: nothing is written", Status.LEFT_OUT: "left out or approximated, as you allow",
-        Status.APPROXIMATED: "approximated", Status.IGNORED: "ignored, harmless", Status.TRANSLATED: "translated"}  # fmt: skip
+        Status.APPROXIMATED: "approximated", Status.IGNORED: "ignored, harmless",
+        Status.TRANSLATED: "translated"}  # fmt: skip
 
 
 def shorten(text: str, most: int) -> str:
@@ -20,7 +21,8 @@ def shorten(text: str, most: int) -> str:
 
 
 def list_rows(ledger: Ledger) -> list[tuple[Entry, str]]:
-    return [(entry, f"{clean(entry.first.file).rsplit('/', 1)[-1]}:{entry.first.line}" + (f" and {entry.count - 1} more" if entry.count > 1 else ""))
+    return [(entry, f"{clean(entry.first.file).rsplit('/', 1)[-1]}:{entry.first.line}"
+             + (f" and {entry.count - 1} more" if entry.count > 1 else ""))
             for entry in ledger.list_rows()]  # fmt: skip
 
 
@@ -46,7 +48,8 @@ def summarise(model: Model, notes: list[str]) -> list[str]:
     beams = sum(len(block.beams) for block in model.blocks)
     triangles = sum(1 for corners in shells if len(corners) == 3)
     lines = [f"nodes: {len(nodes)}, ids {min(nodes)} to {max(nodes)}, kept" if nodes else "nodes: none",
-             f"elements: {len(solids)} solids{f' ({others[2:]} among them)' if others else ''}, {len(shells) - triangles} quadrilaterals, {triangles} triangles"
+             f"elements: {len(solids)} solids{f' ({others[2:]} among them)' if others else ''}, "
+             f"{len(shells) - triangles} quadrilaterals, {triangles} triangles"
              + (f", {beams} beams" if beams else "") + ", ids kept"]  # fmt: skip
     if len(model.nodes) > len(nodes):
         lines.append(f"nodes without elements: {len(model.nodes) - len(nodes)}, left out of the mesh and of sets")
@@ -89,7 +92,7 @@ def escape(text: str) -> str:
 
 def write_json(path: str, source: str, ledger: Ledger, summary: list[str], mark: str) -> None:
     """The same for programs. mark: of the deck as written (earlier.py); empty: none is written."""
-    cards = [{"card": entry.card, "outcome": entry.status.value, "how": entry.text, "file": entry.first.file, "line": entry.first.line,
-              "count": entry.count} for entry in ledger.list_rows()]  # fmt: skip
+    cards = [{"card": entry.card, "outcome": entry.status.value, "how": entry.text, "file": entry.first.file,
+              "line": entry.first.line, "count": entry.count} for entry in ledger.list_rows()]  # fmt: skip
     content = {"source": source, "cards": cards, "model": summary, "deck_sha256": mark}
     write_file(path, json.dumps(content, indent=1) + "\n", "import", force=True)

@@ -1,9 +1,15 @@
 """Geometry of elements: volumes, areas, faces."""
 
 import math
+from collections.abc import Iterable
 
 from .model import Block, Model, Vector
 from .solids import FACES, SEGMENTS
+
+
+def make_vector(values: Iterable[float]) -> Vector:
+    x, y, z = values
+    return x, y, z
 
 
 def subtract(a: Vector, b: Vector) -> Vector:
@@ -37,13 +43,15 @@ def solid_volume(x: list[Vector]) -> float:
     center, volume = mean(x), 0.0
     for face in FACES[len(x)]:
         p, q, r, s = (x[i] for i in (*face, face[-1])[:4])
-        volume += tet_volume(center, p, q, r) + tet_volume(center, p, r, s) + tet_volume(center, p, q, s) + tet_volume(center, q, r, s)
+        volume += (tet_volume(center, p, q, r) + tet_volume(center, p, r, s) + tet_volume(center, p, q, s)
+                   + tet_volume(center, q, r, s))
     return abs(0.5 * volume)
 
 
 def shell_area(x: list[Vector]) -> float:
     """Half the cross product of the diagonals, or of two edges."""
-    normal = cross(subtract(x[2], x[0]), subtract(x[3], x[1])) if len(x) == 4 else cross(subtract(x[1], x[0]), subtract(x[2], x[0]))
+    normal = (cross(subtract(x[2], x[0]), subtract(x[3], x[1])) if len(x) == 4
+              else cross(subtract(x[1], x[0]), subtract(x[2], x[0])))
     return 0.5 * dot(normal, normal) ** 0.5
 
 
@@ -95,7 +103,8 @@ def is_crossed(x: list[Vector]) -> bool:
     if len(x) != 4:
         return False
     first = cross(subtract(x[1], x[0]), subtract(x[2], x[0]))
-    return dot(first, cross(subtract(x[2], x[1]), subtract(x[3], x[1]))) < 0 and dot(first, cross(subtract(x[3], x[2]), subtract(x[0], x[2]))) < 0
+    return (dot(first, cross(subtract(x[2], x[1]), subtract(x[3], x[1]))) < 0
+            and dot(first, cross(subtract(x[3], x[2]), subtract(x[0], x[2]))) < 0)
 
 
 class FaceOwners:
@@ -114,7 +123,8 @@ class FaceOwners:
             self._shells.update(frozenset(corners) for _, corners in block.shells if nodes.issuperset(corners))
 
     def find_sign(self, face: tuple[int, ...]) -> float | None:
-        """1 if a pressure against the normal of the nodes pushes into the body, -1 if out of it, None without an element."""
+        """1 if a pressure against the normal of the nodes pushes into the body, -1 if out of it,
+        None without an element."""
         key = frozenset(face)
         if key in self._shells:
             return 1.0

@@ -23,7 +23,8 @@ SEGMENTS = FACES | {10: FACES[4] + FACES[10]}
 HEX_EDGES = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))
 NAMES = {8: "hexahedra", 10: "tetrahedra of ten nodes", 6: "wedges", 5: "pyramids", 4: "tetrahedra"}
 # Corners of a *ELEMENT_SOLID with eight nodes that says the same: n5 = n6 and n7 = n8, n5 = ... = n8, n4 = ... = n8.
-OF_EIGHT = {8: (0, 1, 2, 3, 4, 5, 6, 7), 6: (1, 0, 3, 4, 2, 2, 5, 5), 5: (0, 1, 2, 3, 4, 4, 4, 4), 4: (0, 1, 2, 3, 3, 3, 3, 3)}
+OF_EIGHT = {8: (0, 1, 2, 3, 4, 5, 6, 7), 6: (1, 0, 3, 4, 2, 2, 5, 5), 5: (0, 1, 2, 3, 4, 4, 4, 4),
+            4: (0, 1, 2, 3, 3, 3, 3, 3)}
 
 
 def collapse(corners: list[int]) -> tuple[int, ...] | None:

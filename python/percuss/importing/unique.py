@@ -8,7 +8,8 @@ from .ledger import BadInput, Place
 
 
 class Unique:
-    """The definitions of a deck, each by its kind and its id or name. A second one is an error: nobody knows which of them counts."""
+    """The definitions of a deck, each by its kind and its id or name.
+    A second one is an error: nobody knows which of them counts."""
 
     def __init__(self) -> None:
         self._first: dict[tuple[str, "int | str", int], Place] = {}
@@ -21,7 +22,8 @@ class Unique:
             return
         words = ("ids", "renumber") if isinstance(id, int) else ("names", "rename")
         shown = id if isinstance(id, int) else f"'{clip(id)}'"
-        raise BadInput(place, f"there are two {what} {shown} ({words[0]} must be unique; the first is at {first}): {words[1]} or remove one")
+        raise BadInput(place, f"there are two {what} {shown} ({words[0]} must be unique; the first is at {first}): "
+                              f"{words[1]} or remove one")
 
     def claim_only(self, what: str, place: Place) -> None:
         """Notes what a deck has once. what: in the singular and plural."""
@@ -52,7 +54,8 @@ class Lines:
         seen: set[int] = set()
         repeated = next(id for id in ids if id in seen or seen.add(id))  # type: ignore[func-returns-value]
         first, second, *_ = self._list_places(repeated)
-        raise BadInput(second, f"there are two {what} {repeated} (ids must be unique; the first is at {first}): renumber or remove one")
+        raise BadInput(second, f"there are two {what} {repeated} (ids must be unique; the first is at {first}): "
+                               "renumber or remove one")
 
     def _list_places(self, id: int) -> Iterator[Place]:
         for file, lines in self._of_files.items():

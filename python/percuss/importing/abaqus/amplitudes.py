@@ -31,8 +31,10 @@ def read_amplitude(block: Block, end: float) -> Amplitude:
     kind = block.option("DEFINITION") or "TABULAR"
     values = [block.number(line, i) for line in block.lines for i in range(len(line[1])) if line[1][i]]
     found = Amplitude(block.place, [], block.option("TIME") == "TOTAL TIME", block.option("VALUE") == "ABSOLUTE")
-    if block.option("TIME") not in ("", "STEP TIME", "TOTAL TIME") or block.option("VALUE") not in ("", "RELATIVE", "ABSOLUTE"):
-        raise BadInput(block.place, f"TIME={clip(block.option('TIME'))} or VALUE={clip(block.option('VALUE'))} of *AMPLITUDE is not known: correct it")
+    if (block.option("TIME") not in ("", "STEP TIME", "TOTAL TIME")
+            or block.option("VALUE") not in ("", "RELATIVE", "ABSOLUTE")):
+        raise BadInput(block.place, f"TIME={clip(block.option('TIME'))} or VALUE={clip(block.option('VALUE'))} of "
+                                    "*AMPLITUDE is not known: correct it")
     smoothing = block.number((block.place.line, [block.options.get("SMOOTH", "")]), 0)
     if kind not in KINDS:
         found.reason = f"of the kind {clip(kind)}"
@@ -57,7 +59,8 @@ def check_order(points: Points, place: Place) -> None:
     times = [x for x, _ in points]
     for before, after in zip(times, times[1:]):
         if after < before:
-            raise BadInput(place, f"the times of *AMPLITUDE do not ascend ({before:g}, then {after:g}): correct its lines")
+            raise BadInput(place,
+                           f"the times of *AMPLITUDE do not ascend ({before:g}, then {after:g}): correct its lines")
     if any(a == b == c for a, b, c in zip(times, times[1:], times[2:])):
         raise BadInput(place, "*AMPLITUDE has three values at one time: remove one")
 
@@ -75,16 +78,19 @@ def read_smooth(found: Amplitude, block: Block, values: list[float], end: float)
 
 def read_equal(found: Amplitude, block: Block, values: list[float], end: float) -> None:
     """Values at equal distances, from BEGIN on."""
-    gap, begin = (block.number((block.place.line, [block.options.get(name, "")]), 0) for name in ("FIXED INTERVAL", "BEGIN"))
+    gap, begin = (block.number((block.place.line, [block.options.get(name, "")]), 0)
+                  for name in ("FIXED INTERVAL", "BEGIN"))
     if gap <= 0:
         raise BadInput(block.place, "*AMPLITUDE, DEFINITION=EQUALLY SPACED needs a positive FIXED INTERVAL: add it")
     found.points = [(begin + gap * i, value) for i, value in enumerate(values)]
 
 
-def sample(found: Amplitude, start: float, length: float, pieces: int, value: Callable[[float], float], before: float) -> None:
+def sample(found: Amplitude, start: float, length: float, pieces: int, value: Callable[[float], float],
+           before: float) -> None:
     """A curve from `start` on, by so many pieces; before it one value."""
     if pieces > MOST_POINTS:
-        raise BadInput(found.place, f"this amplitude needs {pieces} rows until the end of the run (at most {MOST_POINTS}): correct its frequency")
+        raise BadInput(found.place, f"this amplitude needs {pieces} rows until the end of the run "
+                                    f"(at most {MOST_POINTS}): correct its frequency")
     found.points = [(min(start, 0.0) - 1.0, before), (start, before)] if start > 0 else []
     found.points += [(start + length * i / pieces, value(length * i / pieces)) for i in range(pieces + 1)]
 
@@ -101,12 +107,14 @@ def read_periodic(found: Amplitude, block: Block, values: list[float], end: floa
     frequency, start, base = values[1:4]
     pairs = list(zip(values[4::2], values[5::2]))
     if terms != len(pairs) or not terms or frequency <= 0:
-        raise BadInput(block.place, f"*AMPLITUDE has {len(pairs)} pairs of coefficients for {terms} terms, or no frequency: correct it")
+        raise BadInput(block.place, f"*AMPLITUDE has {len(pairs)} pairs of coefficients for {terms} terms, "
+                                    "or no frequency: correct it")
     length = max(end - start, 1e-3 / frequency)
     pieces = math.ceil(min(length * frequency * terms / (2 * math.pi), MOST_POINTS) * PER_PERIOD) + 1
 
     def value(t: float) -> float:
-        return base + sum(a * math.cos(n * frequency * t) + b * math.sin(n * frequency * t) for n, (a, b) in enumerate(pairs, 1))
+        return base + sum(a * math.cos(n * frequency * t) + b * math.sin(n * frequency * t)
+                          for n, (a, b) in enumerate(pairs, 1))
 
     sample(found, start, length, pieces, value, base)
     found.error = f"a sum of sines by {PER_PERIOD} rows a period, within 3e-4 of their heights"

@@ -39,7 +39,8 @@ def read_assembly_set(deck: AbaqusDeck, block: Block) -> None:
     sets = deck.mesh.node_sets if is_nodes else deck.mesh.element_sets
     instance = next((i for i in deck.instances if i.name == block.option("INSTANCE")), None)
     if block.option("INSTANCE") and instance is None:
-        raise BadInput(block.place, f"there is no instance '{clip(block.option('INSTANCE'))}' (this card refers to it): add it, or correct the name")
+        raise BadInput(block.place, f"there is no instance '{clip(block.option('INSTANCE'))}' "
+                                    "(this card refers to it): add it, or correct the name")
     name = block.option(block.keyword)
     if "GENERATE" in block.options or is_nodes and "ELSET" in block.options:
         whole = deck.whole_assembly

@@ -1,8 +1,9 @@
 """Elements of rotational symmetry about y: a sector of 90 degrees with one layer of solids.
 
-A node at the radius r stands at (r, y, 0), and its twin at (0, y, r), whose radial direction is z. Each is held across its plane, so
-both move along their radii alone. The rates of strain at the middle of such a solid are those of the ring, also around the axis: it is
-as exact as the element of Abaqus. Its mass, its forces and its energies are those of the ring over 2 pi.
+A node at the radius r stands at (r, y, 0), and its twin at (0, y, r), whose radial direction is z. Each is held across
+its plane, so both move along their radii alone. The rates of strain at the middle of such a solid are those of the
+ring, also around the axis: it is as exact as the element of Abaqus.
+Its mass, its forces and its energies are those of the ring over 2 pi.
 """
 
 import math
@@ -18,7 +19,8 @@ NEAR = 1e-9  # of the largest radius: on the axis
 OFF_AXIS = 0.01  # of the shortest edge of an element that has one corner on the axis: where the twin of this is
 OTHERS = {*BEAMS, *POINTS, *SPRINGS, *SHELLS, *STRAINED}
 HELD = ("x", "z", "rx", "ry", "rz")  # of bodies
-TOLD = "a sector of 90 degrees with one layer: its mass, forces and energies are those of the ring over 2 pi; radial is x of its nodes, and x and z alike of its stresses"
+TOLD = ("a sector of 90 degrees with one layer: its mass, forces and energies are those of the ring over 2 pi; "
+        "radial is x of its nodes, and x and z alike of its stresses")
 
 
 def turn_rings(deck: AbaqusDeck) -> None:
@@ -35,7 +37,8 @@ def turn_rings(deck: AbaqusDeck) -> None:
         for node in corners:
             radius, y, z = mesh.nodes[node]
             if radius < -axis or abs(z) > axis:
-                raise BadInput(place, f"node {node} of an axisymmetric element is at r = {radius:g}, z = {z:g} (beyond the axis y, or off its plane): correct it")
+                raise BadInput(place, f"node {node} of an axisymmetric element is at r = {radius:g}, z = {z:g} "
+                                      "(beyond the axis y, or off its plane): correct it")
             if radius > axis or touches_axis(deck, corners, axis):
                 deck.twins[node] = node + raised
                 mesh.nodes[node + raised] = (0.0, y, max(radius, OFF_AXIS * find_edge(deck, corners)))
@@ -52,7 +55,8 @@ def turn_rings(deck: AbaqusDeck) -> None:
 
 
 def touches_axis(deck: AbaqusDeck, corners: tuple[int, ...], axis: float) -> bool:
-    """Whether a quadrilateral has one corner on the axis: its solid keeps eight corners, of which two are nearly at one place."""
+    """Whether a quadrilateral has one corner on the axis: its solid keeps eight corners,
+    of which two are nearly at one place."""
     return len(corners) == 4 and sum(deck.mesh.nodes[node][0] <= axis for node in corners) == 1
 
 
@@ -73,11 +77,14 @@ def refuse_others(deck: AbaqusDeck, place: Place) -> None:
     """Elements whose part of the ring is not known."""
     kinds = sorted({kind for kind, _ in deck.mesh.elements.values() if kind in OTHERS and kind != "MASS"})
     if kinds or any(kind == "MASS" and corners[0] in deck.twins for kind, corners in deck.mesh.elements.values()):
-        deck.ledger.refuse("ELEMENT.axisymmetric", place, f"elements {', '.join(kinds) or 'MASS'} beside axisymmetric ones", "they act on the sector as they are")
+        deck.ledger.refuse("ELEMENT.axisymmetric", place,
+                           f"elements {', '.join(kinds) or 'MASS'} beside axisymmetric ones",
+                           "they act on the sector as they are")
 
 
 def split_turned(deck: AbaqusDeck, nodes: Iterable[int], directions: list[str]) -> list[tuple[list[int], list[str]]]:
-    """Nodes with the directions that these have for them: of a twin x is its z. Across its plane a node is held anyway."""
+    """Nodes with the directions that these have for them: of a twin x is its z.
+    Across its plane a node is held anyway."""
     nodes = list(nodes)
     if not deck.is_ring:
         return [(nodes, directions)]
@@ -89,7 +96,8 @@ def split_turned(deck: AbaqusDeck, nodes: Iterable[int], directions: list[str]) 
 
 
 def share_force(deck: AbaqusDeck, nodes: list[int], dof: int) -> list[tuple[list[int], str, float]]:
-    """Nodes, the direction and the factor of a force on each ring: a half of its sector's share at a node and at its twin."""
+    """Nodes, the direction and the factor of a force on each ring:
+    a half of its sector's share at a node and at its twin."""
     on_axis = [node for node in nodes if node not in deck.turned and node not in deck.twins]
     rows = [(on_axis, "y", SHARE)] if dof == 2 else []
     for group, found in split_turned(deck, [node for node in nodes if node not in on_axis], ["x", "y"][dof - 1 : dof]):
@@ -127,7 +135,8 @@ def tie_axis(deck: AbaqusDeck) -> None:
     for node in sorted(deck.on_axis & deck.twins.keys() & used):
         if (node, "y") not in deck.motions.windows:
             constraints = deck.model.deck.setdefault("constraints", {})
-            constraints[deck.model.names.take(f"axis_{node}")] = {"equal": ["y"], "between": [{"id": node}, {"id": deck.twins[node]}]}
+            constraints[deck.model.names.take(f"axis_{node}")] = {"equal": ["y"],
+                                                                  "between": [{"id": node}, {"id": deck.twins[node]}]}
 
 
 def refuse_in_ring(deck: AbaqusDeck, card: str, place: Place, what: str) -> None:

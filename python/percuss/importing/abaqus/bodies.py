@@ -1,4 +1,5 @@
-"""*RIGID BODY, *COUPLING with *KINEMATIC, *MPC BEAM: nodes that move as one, with the reference nodes that move them."""
+"""*RIGID BODY, *COUPLING with *KINEMATIC, *MPC BEAM: nodes that move as one,
+with the reference nodes that move them."""
 
 import math
 from dataclasses import dataclass, field
@@ -23,11 +24,12 @@ def read_rigid_body(scope: Scope, block: Block, ledger: Ledger) -> None:
     nodes = [block.option("TIE NSET")] if block.option("TIE NSET") else []
     profile = block.option("ANALYTICAL SURFACE")
     if profile and (nodes or pinned or "ELSET" in block.options):
-        ledger.refuse("RIGID BODY.ANALYTICAL SURFACE", block.place, "an analytical surface with nodes or elements", "it is left out")
+        ledger.refuse("RIGID BODY.ANALYTICAL SURFACE", block.place,
+                      "an analytical surface with nodes or elements", "it is left out")
         profile = ""
     scope.bodies.append(
-        BodyCard(block.keyword, block.place, block.option("REF NODE"), block.option("ELSET"), nodes + pinned, profile=profile,
-                 pinned=pinned, at_center=block.option("POSITION") == "CENTER OF MASS")
+        BodyCard(block.keyword, block.place, block.option("REF NODE"), block.option("ELSET"), nodes + pinned,
+                 profile=profile, pinned=pinned, at_center=block.option("POSITION") == "CENTER OF MASS")
     )  # fmt: skip
 
 
@@ -58,7 +60,8 @@ def read_constraints(scope: Scope, block: Block, ledger: Ledger) -> None:
             keyword = "MPC" if kind == "BEAM" else f"MPC.{kind}"
             scope.bodies.append(BodyCard(keyword, block.at(line[0]), names[1], nodes=names[:1], equal=equal))
         else:
-            ledger.refuse(f"MPC.{kind[:20]}", block.at(line[0]), "a constraint other than BEAM, PIN and TIE", "it is left out")
+            ledger.refuse(f"MPC.{kind[:20]}", block.at(line[0]),
+                          "a constraint other than BEAM, PIN and TIE", "it is left out")
 
 
 @dataclass
@@ -94,7 +97,8 @@ def refuse_free(deck: AbaqusDeck, card: BodyCard) -> None:
     """Rotations that a body leaves free, of nodes that have them."""
     turning = deck.model.turning_nodes()
     if any(node in turning for name in card.pinned for node in deck.nodes_of(name, card.place)):
-        deck.ledger.refuse("RIGID BODY.PIN NSET", card.place, "nodes whose rotations are free", "their rotations are those of the body")
+        deck.ledger.refuse("RIGID BODY.PIN NSET", card.place, "nodes whose rotations are free",
+                           "their rotations are those of the body")
 
 
 def merge(found: list[Members]) -> list[list[Members]]:
@@ -115,7 +119,8 @@ def build_bodies(deck: AbaqusDeck) -> None:
     note_couplings(deck)
     for card in (card for card in deck.mesh.bodies if card.profile):
         add_wall(deck, card)
-    for together in merge([list_members(deck, card) for card in deck.mesh.bodies if not card.profile and not card.is_constraint and not is_partial(deck, card)]):
+    for together in merge([list_members(deck, card) for card in deck.mesh.bodies
+                           if not card.profile and not card.is_constraint and not is_partial(deck, card)]):
         card = together[0].card
         nodes = {node for m in together for node in m.nodes if node in deck.used_nodes()}
         if not nodes:
@@ -151,17 +156,21 @@ def add_reference_masses(deck: AbaqusDeck, nodes: list[int], keys: Deck, place: 
             left.append(node)
             continue
         if group.moves_ref:
-            deck.ledger.refuse("RIGID BODY.POSITION", place, "mass or inertia of a reference node that moves to the centre", "it stays at the place of the node")
+            deck.ledger.refuse("RIGID BODY.POSITION", place,
+                               "mass or inertia of a reference node that moves to the centre",
+                               "it stays at the place of the node")
         if "mass" in keys and "mass" in group.rigid_keys:
             raise BadInput(place, "a rigid body has two masses at its reference node: add them up")
         group.rigid_keys |= {**keys, "center": list(deck.mesh.nodes[node])}
-        deck.ledger.translated("MASS" if "mass" in keys else "ROTARY INERTIA", place, "mass and inertia of a rigid body")
+        deck.ledger.translated("MASS" if "mass" in keys else "ROTARY INERTIA", place,
+                               "mass and inertia of a rigid body")
     return left
 
 
 def has_point_mass_alone(deck: AbaqusDeck, group: RigidGroup) -> bool:
     """Whether its elements are rigid ones, which have no mass."""
-    blocks = [block for block in deck.model.blocks if block.keys.get("rigid") is not None and group.nodes >= deck.model.nodes_of_blocks([block.id])]
+    blocks = [block for block in deck.model.blocks
+              if block.keys.get("rigid") is not None and group.nodes >= deck.model.nodes_of_blocks([block.id])]
     return bool(blocks) and all(block.keys["material"] == deck.rigid_material for block in blocks)
 
 
@@ -169,7 +178,8 @@ def add_point_mass(deck: AbaqusDeck, group: RigidGroup) -> None:
     """Rigid elements without mass have that of their reference node; to other bodies it is added."""
     if has_point_mass_alone(deck, group):
         group.at_center = True
-        center = group.rigid_keys.get("center") or list(deck.mesh.nodes[min(group.refs)] if group.refs else deck.mesh.nodes[min(group.nodes)])
+        center = (group.rigid_keys.get("center")
+                  or list(deck.mesh.nodes[min(group.refs)] if group.refs else deck.mesh.nodes[min(group.nodes)]))
         group.keys |= {**group.rigid_keys, "center": center}
     elif group.rigid_keys:
         name = deck.model.add_node_set("point_mass", [min(group.nodes)])
@@ -213,20 +223,24 @@ def hold_group(deck: AbaqusDeck, group: RigidGroup, number: int) -> None:
         deck.model.add("conditions", {"body": group.name, **spell})
     if not moved:
         return
-    which = {"body": group.name} if moves_body(group) else {"nodes": deck.model.add_node_set(f"body_{number}", group.nodes)}
+    which = ({"body": group.name} if moves_body(group)
+             else {"nodes": deck.model.add_node_set(f"body_{number}", group.nodes)})
     for motion in moved.values():
         deck.model.add("conditions", {**which, **motion})
 
 
 def turns_about_reference(group: RigidGroup) -> bool:
-    """Whether all six directions of one reference node away from the centre are prescribed, and some turn is a motion."""
+    """Whether all six directions of one reference node away from the centre are prescribed,
+    and some turn is a motion."""
     refs = {node for node, _ in group.held.values()}
     turns = any(group.held[way][1] is not None for way in TURNS & group.held.keys())
     return len(group.held) == 6 and turns and len(refs) == 1 and not group.at_center and not group.spells
 
 
-def turn_about_reference(deck: AbaqusDeck, group: RigidGroup, number: int, rest: set[str], moved: dict[str, Deck]) -> None:
-    """A spherical joint to the ground where the reference node stays in its place; else the way of the mass centre, which follows from all directions."""
+def turn_about_reference(deck: AbaqusDeck, group: RigidGroup, number: int, rest: set[str],
+                         moved: dict[str, Deck]) -> None:
+    """A spherical joint to the ground where the reference node stays in its place;
+    else the way of the mass centre, which follows from all directions."""
     ref = deck.mesh.nodes[next(node for node, _ in group.held.values())]
     turns = [motion for way, motion in moved.items() if way in TURNS]
     if rest & TURNS:
@@ -235,15 +249,18 @@ def turn_about_reference(deck: AbaqusDeck, group: RigidGroup, number: int, rest:
         deck.model.add("conditions", {"body": group.name, **motion})
     if rest.issuperset(WAYS):
         group.joint = deck.model.names.take(f"held_{number}")
-        deck.model.deck.setdefault("joints", {})[group.joint] = {"kind": "spherical", "bodies": [group.name], "at": list(ref)}
+        deck.model.deck.setdefault("joints", {})[group.joint] = {"kind": "spherical", "bodies": [group.name],
+                                                                 "at": list(ref)}
         return
     center = group.rigid_keys.get("center") or find_center(deck, group.nodes)
     if center is None:
         note_reference(deck, group)
         return
     tables = place_center(list(moved.values()), [c - r for c, r in zip(center, ref)], deck.end_time)
-    deck.model.add("conditions", {"body": group.name, "displacement": {way: {"table": rows} for way, rows in zip(WAYS, tables)}})
-    deck.ledger.approximated("BOUNDARY.reference", group.place, f"the way of the mass centre about the reference node, by {ROWS} rows")
+    deck.model.add("conditions",
+                   {"body": group.name, "displacement": {way: {"table": rows} for way, rows in zip(WAYS, tables)}})
+    deck.ledger.approximated("BOUNDARY.reference", group.place,
+                             f"the way of the mass centre about the reference node, by {ROWS} rows")
 
 
 def moves_body(group: RigidGroup) -> bool:
@@ -256,7 +273,8 @@ def note_reference(deck: AbaqusDeck, group: RigidGroup) -> None:
     """What acts on a node away from the centre acts on the centre."""
     lever = find_lever(deck, group) if not group.spells else math.inf
     if lever <= MOST:
-        text = f"held or moved at the mass centre, on the same line within {lever:.1g} of the body's reach: turns change its place to the second order"
+        text = ("held or moved at the mass centre, "
+                f"on the same line within {lever:.1g} of the body's reach: turns change its place to the second order")
         deck.ledger.approximated("BOUNDARY.reference", group.place, text)
         return
     text = "a reference node away from the centre of its body with only some directions held or moved"

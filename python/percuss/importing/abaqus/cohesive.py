@@ -1,4 +1,5 @@
-"""*COHESIVE SECTION with RESPONSE=TRACTION SEPARATION: cohesive ties of the solids on both sides of COH3D8 and COH3D6."""
+"""*COHESIVE SECTION with RESPONSE=TRACTION SEPARATION:
+cohesive ties of the solids on both sides of COH3D8 and COH3D6."""
 
 from ..cohesive_layers import LEFT_OUT, Layer, add_layer, choose_covered, make_layer
 from ..fields import clip
@@ -18,7 +19,8 @@ def bond_solids(deck: AbaqusDeck, section: Section, block: Block) -> None:
     deck.left_elements |= set(ids)
     elements = [(id, *deck.mesh.elements[id]) for id in ids if id in deck.mesh.elements]
     if any(kind not in COHESIVE for _, kind, _ in elements):
-        deck.ledger.refuse("COHESIVE SECTION.ELSET", section.place, "a cohesive section of elements other than COH3D8 and COH3D6", LEFT_OUT)
+        deck.ledger.refuse("COHESIVE SECTION.ELSET", section.place,
+                           "a cohesive section of elements other than COH3D8 and COH3D6", LEFT_OUT)
         return
     if block.option("RESPONSE") != "TRACTION SEPARATION":
         text = f"a cohesive section with RESPONSE={clip(block.option('RESPONSE'))} (TRACTION SEPARATION is read)"
@@ -76,7 +78,9 @@ def find_bonds(deck: AbaqusDeck, section: Section, block: Block) -> Bonds | None
         deck.ledger.refuse("COHESIVE SECTION.THICKNESS", section.place, text, LEFT_OUT)
         return None
     for other in found.parts:
-        if other.keyword not in READ and not deck.ledger.refuse(f"COHESIVE SECTION.{other.keyword}", other.place, f"*{other.keyword} of the material of cohesive elements", "it is left out"):
+        if (other.keyword not in READ
+                and not deck.ledger.refuse(f"COHESIVE SECTION.{other.keyword}", other.place,
+                                           f"*{other.keyword} of the material of cohesive elements", "it is left out")):
             return None
     return Bonds("COHESIVE SECTION", section.place, found.parts, "ELASTIC", LEFT_OUT, thickness)
 
@@ -87,5 +91,8 @@ def deletes(deck: AbaqusDeck, section: Section) -> bool:
     if controls is None:
         return True
     most = controls.option("MAX DEGRADATION")
-    stays = controls.option("ELEMENT DELETION") == "NO" or most and controls.number((controls.place.line, [most]), 0) < LEAST_DEGRADATION
-    return not stays or deck.ledger.refuse("SECTION CONTROLS.ELEMENT DELETION", controls.place, "cohesive elements that stay when their energy is spent", "their nodes let go")
+    stays = (controls.option("ELEMENT DELETION") == "NO"
+             or most and controls.number((controls.place.line, [most]), 0) < LEAST_DEGRADATION)
+    return not stays or deck.ledger.refuse("SECTION CONTROLS.ELEMENT DELETION", controls.place,
+                                           "cohesive elements that stay when their energy is spent",
+                                           "their nodes let go")

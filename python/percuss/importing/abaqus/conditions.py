@@ -15,8 +15,9 @@ from .speeds import Speeds
 from .timeline import DISPLACEMENT, FIXED, VELOCITY, Action, Window, is_whole, make_motion, split_groups
 
 AXES = ("x", "y", "z", "rx", "ry", "rz")
-NAMED = {"ENCASTRE": AXES, "PINNED": AXES[:3], "XSYMM": ("x", "ry", "rz"), "YSYMM": ("y", "rx", "rz"), "ZSYMM": ("z", "rx", "ry"),
-         "XASYMM": ("y", "z", "rx"), "YASYMM": ("x", "z", "ry"), "ZASYMM": ("x", "y", "rz")}  # fmt: skip
+NAMED = {"ENCASTRE": AXES, "PINNED": AXES[:3], "XSYMM": ("x", "ry", "rz"), "YSYMM": ("y", "rx", "rz"),
+         "ZSYMM": ("z", "rx", "ry"), "XASYMM": ("y", "z", "rx"), "YASYMM": ("x", "z", "ry"),
+         "ZASYMM": ("x", "y", "rz")}  # fmt: skip
 KINDS = ("DISPLACEMENT", "VELOCITY", "ACCELERATION")
 LEFT_OUT = "it is left out"
 MOST_SPEEDS = 20  # from which an acceleration of one line may begin
@@ -53,7 +54,8 @@ def read_boundary(deck: AbaqusDeck, block: Block) -> None:
             first = block.integer(line, 1, 1)
             last = block.integer(line, 2, first) or first
             if not 1 <= first <= last <= 6:
-                deck.ledger.refuse("BOUNDARY.dof", block.at(line[0]), f"directions {first} to {last}, beyond 1 to 6", "these are left out")
+                deck.ledger.refuse("BOUNDARY.dof", block.at(line[0]),
+                                   f"directions {first} to {last}, beyond 1 to 6", "these are left out")
             directions, value = [AXES[i - 1] for i in range(max(first, 1), min(last, 6) + 1)], block.number(line, 3)
         act(deck, block, line, directions, value)
 
@@ -95,14 +97,16 @@ def accelerate(deck: AbaqusDeck, rise: Action, name: str, nodes: list[int], ways
         for way in ways:
             speed = speeds.find(node, way)
             if speed is None:
-                why = "an acceleration that begins later, from a velocity that is not known" if rise.start > 0 else "an acceleration of nodes whose velocity at the start is not known"
+                why = ("an acceleration that begins later, from a velocity that is not known" if rise.start > 0
+                       else "an acceleration of nodes whose velocity at the start is not known")
                 deck.ledger.refuse("BOUNDARY.TYPE", rise.place, why, LEFT_OUT)
                 return
             of_node.setdefault(speed, []).append(way)
         for speed, its_ways in of_node.items():
             groups.setdefault((speed, tuple(its_ways)), []).append(node)
     if len({speed for speed, _ in groups}) > MOST_SPEEDS:
-        deck.ledger.refuse("BOUNDARY.TYPE", rise.place, f"an acceleration of nodes that begin with more than {MOST_SPEEDS} different velocities", LEFT_OUT)
+        deck.ledger.refuse("BOUNDARY.TYPE", rise.place, "an acceleration of nodes that begin with more than "
+                                                        f"{MOST_SPEEDS} different velocities", LEFT_OUT)
         return
     for (speed, same_ways), members in groups.items():
         action = replace(rise, points=tuple((x, y + speed) for x, y in rise.points))
@@ -112,7 +116,8 @@ def accelerate(deck: AbaqusDeck, rise: Action, name: str, nodes: list[int], ways
 def refuse_other_axes(deck: AbaqusDeck, nodes: list[int], place: Place) -> None:
     """Directions in a system of *TRANSFORM."""
     if any(node in deck.transformed for node in nodes):
-        deck.ledger.refuse("TRANSFORM", place, "conditions or loads along the axes of *TRANSFORM", "they act along the axes of space")
+        deck.ledger.refuse("TRANSFORM", place, "conditions or loads along the axes of *TRANSFORM",
+                           "they act along the axes of space")
 
 
 def make_action(deck: AbaqusDeck, block: Block, place: Place, value: float) -> Action | None:
@@ -127,7 +132,8 @@ def make_action(deck: AbaqusDeck, block: Block, place: Place, value: float) -> A
         return Action(FIXED, start, (), place)
     if kind == "DISPLACEMENT" and amplitude is None:
         deck.ledger.approximated(
-            "BOUNDARY.value", place, "a displacement without an amplitude: its nodes are held, as Abaqus/Explicit ignores the jump"
+            "BOUNDARY.value", place,
+            "a displacement without an amplitude: its nodes are held, as Abaqus/Explicit ignores the jump"
         )
         return Action(FIXED, start, (), place)
     points = deck.values_in_step(block, place, value)
@@ -136,8 +142,10 @@ def make_action(deck: AbaqusDeck, block: Block, place: Place, value: float) -> A
     if kind == "ACCELERATION":
         points = integrate(order_points(points))
     elif kind == "DISPLACEMENT" and points[0][1] != 0:
-        deck.ledger.approximated("BOUNDARY.jump", place, "a displacement that begins with a jump: the jump is left out, as in Abaqus/Explicit")
-    return Action(DISPLACEMENT if kind == "DISPLACEMENT" else VELOCITY, start, tuple(points), place, bool(amplitude and amplitude.error))
+        deck.ledger.approximated("BOUNDARY.jump", place,
+                                 "a displacement that begins with a jump: the jump is left out, as in Abaqus/Explicit")
+    return Action(DISPLACEMENT if kind == "DISPLACEMENT" else VELOCITY, start, tuple(points), place,
+                  bool(amplitude and amplitude.error))
 
 
 def finish_conditions(deck: AbaqusDeck) -> None:
@@ -172,7 +180,8 @@ def add_line(deck: AbaqusDeck, line: ConditionLine, turning: set[int], done: set
             groups.setdefault(nodes, []).append(direction)
             done |= {(node, direction) for node in nodes}
     for nodes, directions in groups.items():
-        name = deck.node_set_name(line.name, place) if line.has_all and len(nodes) == len(line.nodes) and not deck.is_ring else deck.model.add_node_set(line.name, nodes)
+        name = (deck.node_set_name(line.name, place) if line.has_all and len(nodes) == len(line.nodes)
+                and not deck.is_ring else deck.model.add_node_set(line.name, nodes))
         window = [Window(line.action, 0.0, deck.end_time)]
         motions = [make_motion(window, deck.end_time, direction) for direction in directions]
         deck.model.add("conditions", {"nodes": name, **join_motions(motions)})
@@ -201,7 +210,8 @@ def add_changing(deck: AbaqusDeck, direction: str, windows: list[Window], nodes:
     groups = split_groups(windows)
     if len(groups) > 1:
         deck.ledger.refuse("BOUNDARY.steps", place, "a condition that ends and begins again", "it ends for good")
-    entry: Deck = {"nodes": deck.model.add_node_set(f"held_{direction}", nodes), **make_spell(deck, groups[0], direction)}
+    entry: Deck = {"nodes": deck.model.add_node_set(f"held_{direction}", nodes),
+                   **make_spell(deck, groups[0], direction)}
     deck.model.add("conditions", entry)
     deck.ledger.translated("BOUNDARY", place, "conditions, over the steps")
 
@@ -220,7 +230,8 @@ def hold_for_steps(deck: AbaqusDeck, group: RigidGroup, direction: str, windows:
     """A body that is held or moved in some of the steps alone."""
     place, spells = windows[0].action.place, split_groups(windows)
     if group.wall or len(spells) > 1:
-        what = "a wall that is held or moved in some of the steps alone" if group.wall else "a condition that ends and begins again"
+        what = ("a wall that is held or moved in some of the steps alone" if group.wall
+                else "a condition that ends and begins again")
         deck.ledger.refuse("BOUNDARY.steps", place, what, LEFT_OUT if group.wall else "it ends for good")
     if not group.wall:
         group.spells[direction] = make_spell(deck, spells[0], direction)
@@ -235,7 +246,8 @@ def hold_references(deck: AbaqusDeck) -> None:
             continue
         place = windows[0].action.place
         if group.held.get(direction, (node, None))[0] != node or direction in group.spells:
-            deck.ledger.refuse("BOUNDARY.references", place, "two reference nodes of one body that are held or moved", "the last of them counts")
+            deck.ledger.refuse("BOUNDARY.references", place, "two reference nodes of one body that are held or moved",
+                               "the last of them counts")
         if not is_whole(windows, deck.end_time):
             hold_for_steps(deck, group, direction, windows)
             continue

@@ -38,7 +38,8 @@ def read_tie(deck: AbaqusDeck, block: Block) -> None:
             entry["rotations"] = True
         if deck.ledger.allows("TIE.empty"):  # found by the run, which knows the reach
             entry["empty"] = "ignore"
-            deck.ledger.approximated("TIE.empty", place, "a tie in reach of nothing is reported by the run, and ignored")
+            deck.ledger.approximated("TIE.empty", place,
+                                     "a tie in reach of nothing is reported by the run, and ignored")
         deck.model.deck.setdefault("contact", {}).setdefault("ties", []).append(entry)
         deck.ledger.approximated("TIE", place, "contact.ties: gaps stay as they are")
 
@@ -53,7 +54,8 @@ def ties_rotations(deck: AbaqusDeck, slaves: set[int], master: str, place: Place
 def refuse_late(deck: AbaqusDeck, block: Block) -> None:
     """Contact that begins in a later step."""
     if block.step > 1:
-        deck.ledger.refuse(f"{block.keyword}.step", block.place, "contact that begins in a later step", "it acts from the start")
+        deck.ledger.refuse(f"{block.keyword}.step", block.place,
+                           "contact that begins in a later step", "it acts from the start")
 
 
 def read_contact_pair(deck: AbaqusDeck, block: Block) -> None:
@@ -62,7 +64,8 @@ def read_contact_pair(deck: AbaqusDeck, block: Block) -> None:
         end_pairs(deck, block)
         return
     if not block.option("INTERACTION"):
-        raise BadInput(block.place, "*CONTACT PAIR has no INTERACTION (it says how the surfaces touch): add the name of a *SURFACE INTERACTION")
+        raise BadInput(block.place, "*CONTACT PAIR has no INTERACTION (it says how the surfaces touch): "
+                                    "add the name of a *SURFACE INTERACTION")
     friction = deck.friction(block.option("INTERACTION"), block.place)
     refuse_glue(deck, block.option("INTERACTION"), block.place)
     for line in block.lines:
@@ -114,12 +117,14 @@ def end_pairs(deck: AbaqusDeck, block: Block) -> None:
         place = block.at(line[0])
         names = [block.text(line, 0), block.text(line, 1) or block.text(line, 0)]
         if any(is_profile(deck, name) for name in names):
-            deck.ledger.refuse("CONTACT PAIR.OP", place, "contact with an analytical surface that ends with a step", "it goes on")
+            deck.ledger.refuse("CONTACT PAIR.OP", place,
+                               "contact with an analytical surface that ends with a step", "it goes on")
             continue
         sides = [name_side(deck, block, name, place) for name in names]
         pair = find_acting(deck, *sides)
         if pair is None:
-            raise BadInput(place, f"*CONTACT PAIR, OP=DELETE: there is no pair of '{clip(names[0])}' and '{clip(names[1])}' to end")
+            raise BadInput(place, "*CONTACT PAIR, "
+                                  f"OP=DELETE: there is no pair of '{clip(names[0])}' and '{clip(names[1])}' to end")
         end_pair(deck, pair, deck.step_of(block).start)
         deck.ledger.translated("CONTACT PAIR", place, "contact.surfaces.N.until")
 
@@ -130,13 +135,15 @@ def name_side(deck: AbaqusDeck, block: Block, name: str, place: Place) -> str:
         return deck.surface_name(name, place, of_contact=True)
     faces = deck.faces_of_nodes(name, place)
     if not faces:
-        deck.ledger.refuse(f"{block.keyword}.nodes", place, f"contact of the nodes of '{clip(name)}', which no face has", INSTEAD)
+        deck.ledger.refuse(f"{block.keyword}.nodes", place,
+                           f"contact of the nodes of '{clip(name)}', which no face has", INSTEAD)
         return ""
     deck.ledger.approximated(block.keyword, place, "a surface of nodes is that of the faces between them")
     return faces
 
 
-def note_wall_pair(deck: AbaqusDeck, block: Block, names: tuple[str, str], place: Place, friction: float | None) -> None:
+def note_wall_pair(deck: AbaqusDeck, block: Block, names: tuple[str, str], place: Place,
+                   friction: float | None) -> None:
     """A surface before an analytical one."""
     name = deck.surface_name(names[0], place, of_contact=True) if names[0] and not deck.is_of_nodes(names[0]) else ""
     if names[0] and deck.is_of_nodes(names[0]):
@@ -156,7 +163,8 @@ def read_surface_property(deck: AbaqusDeck, block: Block) -> None:
     """*SURFACE PROPERTY ASSIGNMENT: thicknesses, offsets and edges of general contact."""
     kind = block.option("PROPERTY")
     if kind == "FEATURE EDGE CRITERIA":
-        deck.ledger.approximated(block.keyword, block.place, "percuss chooses the edges that touch: those of more than 30 degrees, and rims of shells")
+        deck.ledger.approximated(block.keyword, block.place, "percuss chooses the edges that touch: those of more than "
+                                                             "30 degrees, and rims of shells")
         return
     plain = {"THICKNESS": ("", "ORIGINAL", "THINNING"), "OFFSET FRACTION": ("", "ORIGINAL")}.get(kind, ())
     for line in block.lines:

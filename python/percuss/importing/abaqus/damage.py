@@ -33,10 +33,13 @@ def take_failure(deck: AbaqusDeck, law: Deck, blocks: list[Block]) -> set[str]:
         failure["pressure"] = abs(block.number(need_line(block), 0))
         deck.ledger.translated("TENSILE FAILURE", block.place, "failure at a mean tension")
     if staying := next((block for block in blocks if block.option("ELEMENT DELETION") == "NO"), None):
-        deck.ledger.refuse(f"{staying.keyword}.ELEMENT DELETION", staying.place, "failed elements that stay", "they are removed")
-    if {"plastic_strain", "johnson_cook", "triaxiality", "shear"} & failure.keys() and not laws.has(law, "has_plastic_strain"):
+        deck.ledger.refuse(f"{staying.keyword}.ELEMENT DELETION", staying.place,
+                           "failed elements that stay", "they are removed")
+    if ({"plastic_strain", "johnson_cook", "triaxiality", "shear"} & failure.keys()
+            and not laws.has(law, "has_plastic_strain")):
         place = (found["DAMAGE INITIATION"] or found["SHEAR FAILURE"])[0].place
-        raise BadInput(place, "failure at a plastic strain of a material that does not yield: add *PLASTIC or remove the failure")
+        raise BadInput(
+            place, "failure at a plastic strain of a material that does not yield: add *PLASTIC or remove the failure")
     if failure:
         law["failure"] = failure
     return {keyword for keyword, several in found.items() if several}
@@ -82,7 +85,8 @@ def add_damage(deck: AbaqusDeck, law: Deck, failure: Deck, pairs: list[Criterion
         return
     start, end = pairs[0].start, pairs[0].end
     if any(pair.end.option("MIXED MODE BEHAVIOR") or pair.end.option("POWER") for pair in pairs):
-        deck.ledger.refuse("DAMAGE EVOLUTION.MIXED MODE BEHAVIOR", start.place, "damage of a material by a mix of modes", NEVER_FAILS)
+        deck.ledger.refuse("DAMAGE EVOLUTION.MIXED MODE BEHAVIOR", start.place,
+                           "damage of a material by a mix of modes", NEVER_FAILS)
         return
     if pairs[0].kind == "HASHIN" and len(pairs) == 1:
         failure |= {"fibre_damage": 1.0} if add_hashin(deck, law, start, [end]) else {}
@@ -94,14 +98,20 @@ def add_damage(deck: AbaqusDeck, law: Deck, failure: Deck, pairs: list[Criterion
             return
         clash = sorted(criteria.keys() & keys.keys())
         if clash:
-            deck.ledger.refuse("DAMAGE INITIATION", pair.start.place, f"several criteria of damage in a material that both need {' and '.join(clash)}", NEVER_FAILS)
+            deck.ledger.refuse("DAMAGE INITIATION", pair.start.place,
+                               f"several criteria of damage in a material that both need {' and '.join(clash)}",
+                               NEVER_FAILS)
             return
         criteria |= keys
     if {"johnson_cook", "triaxiality"} <= criteria.keys():
-        deck.ledger.refuse("DAMAGE INITIATION", start.place, "several criteria of damage in a material, DUCTILE by a table beside JOHNSON COOK", NEVER_FAILS)
+        deck.ledger.refuse("DAMAGE INITIATION", start.place,
+                           "several criteria of damage in a material, DUCTILE by a table beside JOHNSON COOK",
+                           NEVER_FAILS)
         return
-    if len(pairs) > 1 and (len({describe(pair.end) for pair in pairs}) > 1 or any(pair.end.option("DEGRADATION") == "MULTIPLICATIVE" for pair in pairs)):
-        deck.ledger.refuse("DAMAGE EVOLUTION", start.place, "several criteria of damage that evolve differently, or whose damages multiply", NEVER_FAILS)
+    if len(pairs) > 1 and (len({describe(pair.end) for pair in pairs}) > 1
+                           or any(pair.end.option("DEGRADATION") == "MULTIPLICATIVE" for pair in pairs)):
+        deck.ledger.refuse("DAMAGE EVOLUTION", start.place,
+                           "several criteria of damage that evolve differently, or whose damages multiply", NEVER_FAILS)
         return
     failure |= criteria | {"evolution": end}  # for finish_failure, which knows the elements
     deck.ledger.translated("DAMAGE INITIATION", start.place, "failure of an element")
@@ -120,7 +130,8 @@ def read_criterion(deck: AbaqusDeck, law: Deck, start: Block) -> Deck | None:
     if start.option("CRITERION") == "SHEAR":
         return read_shear(deck, start)
     if start.option("CRITERION") != "JOHNSON COOK":
-        deck.ledger.refuse("DAMAGE INITIATION", start.place, f"damage by the criterion {clip(start.option('CRITERION'))}", NEVER_FAILS)
+        deck.ledger.refuse("DAMAGE INITIATION", start.place,
+                           f"damage by the criterion {clip(start.option('CRITERION'))}", NEVER_FAILS)
         return None
     if law["model"] == "user_hardening":
         add_melting(law, start)
@@ -168,7 +179,8 @@ def read_curve(deck: AbaqusDeck, block: Block, sign: float) -> tuple[Points, Dec
     rows = [line for line in block.lines if any(line[1])]
     first = block.number(rows[0], 3)
     if any(block.number(row, 3) != first for row in rows):
-        deck.ledger.refuse(f"{block.keyword}.TEMPERATURE", block.place, "failure strains that depend on the temperature", "those of the first are used")
+        deck.ledger.refuse(f"{block.keyword}.TEMPERATURE", block.place,
+                           "failure strains that depend on the temperature", "those of the first are used")
         rows = [row for row in rows if block.number(row, 3) == first]
     if min(block.number(row, 0) for row in rows) <= 0:
         raise BadInput(block.place, f"a plastic strain of *{block.keyword} is not positive: correct it")
@@ -179,11 +191,15 @@ def read_curve(deck: AbaqusDeck, block: Block, sign: float) -> tuple[Points, Dec
     factors = [find_factor(sorted(curves[rates[0]]), sorted(curves[rate])) for rate in rates]
     keys: Deck = {"rate": [[rate, factor] for rate, factor in zip(rates, factors)]} if len(rates) > 1 else {}
     if None in factors or len(rates) > MOST_MATERIAL_ROWS:
-        deck.ledger.refuse(f"{block.keyword}.RATE", block.place, "failure strains whose ratio at two rates is not the same everywhere", "those of the first rate are used")
+        deck.ledger.refuse(f"{block.keyword}.RATE", block.place,
+                           "failure strains whose ratio at two rates is not the same everywhere",
+                           "those of the first rate are used")
         keys = {}
     table, error = thin_rows(order_points(sorted(curves[rates[0]])))
     if error > 0:
-        deck.ledger.approximated(block.keyword, block.place, f"{len(table)} rows of a table of failure strains in place of {len(curves[rates[0]])}, within {100 * error:.2g} %")
+        deck.ledger.approximated(block.keyword, block.place,
+                                 f"{len(table)} rows of a table of failure strains in place of "
+                                 f"{len(curves[rates[0]])}, within {100 * error:.2g} %")
     return table, keys
 
 
@@ -205,7 +221,8 @@ def finish_failure(deck: AbaqusDeck) -> None:
             del law["failure"]
             continue
         if evolution and any(part.beams and part.keys["material"] == name for part in deck.model.blocks):
-            deck.ledger.refuse("DAMAGE EVOLUTION.beams", block.place, "damage of beams that evolves", "they fail at its start")
+            deck.ledger.refuse("DAMAGE EVOLUTION.beams", block.place,
+                               "damage of beams that evolves", "they fail at its start")
             evolution = {}
         if evolution:
             law["failure"]["evolution"] = evolution
@@ -217,8 +234,11 @@ def read_evolution(deck: AbaqusDeck, block: Block) -> Deck | None:
     softening = block.option("SOFTENING") or "LINEAR"
     if softening == "TABULAR" and kind == "DISPLACEMENT":
         return read_lost_force(deck, block)
-    if kind not in ("DISPLACEMENT", "ENERGY") or softening not in ("LINEAR", "EXPONENTIAL") or len([row for row in block.lines if any(row[1])]) > 1:
-        deck.ledger.refuse("DAMAGE EVOLUTION", block.place, f"damage that grows by {clip(kind) or 'nothing'} {softening}, or depends on more", NEVER_FAILS)
+    if (kind not in ("DISPLACEMENT", "ENERGY") or softening not in ("LINEAR", "EXPONENTIAL")
+            or len([row for row in block.lines if any(row[1])]) > 1):
+        deck.ledger.refuse("DAMAGE EVOLUTION", block.place,
+                           f"damage that grows by {clip(kind) or 'nothing'} {softening}, or depends on more",
+                           NEVER_FAILS)
         return None
     value = block.number(line, 0)
     if value < 0:
@@ -228,13 +248,19 @@ def read_evolution(deck: AbaqusDeck, block: Block) -> Deck | None:
     keys: Deck = {kind.lower(): value}
     if kind == "ENERGY" and softening == "EXPONENTIAL":
         keys["exponent"] = RAPID_FALL
-        deck.ledger.approximated("DAMAGE EVOLUTION.SOFTENING", block.place, f"failure.evolution: exp(-w / G) of the work w as an exponential that ends, with the exponent {RAPID_FALL:g}; within 0.5 % of the stress")
+        deck.ledger.approximated("DAMAGE EVOLUTION.SOFTENING", block.place,
+                                 "failure.evolution: exp(-w / G) of the work w as an exponential that ends, "
+                                 f"with the exponent {RAPID_FALL:g}; within 0.5 % of the stress")
     elif kind == "ENERGY":
-        deck.ledger.approximated("DAMAGE EVOLUTION", block.place, "failure.evolution: the energy by the stress of each moment, where Abaqus takes that at the start of damage")
+        deck.ledger.approximated("DAMAGE EVOLUTION", block.place,
+                                 "failure.evolution: the energy by the stress of each moment, "
+                                 "where Abaqus takes that at the start of damage")
     elif softening == "EXPONENTIAL":
         exponent = block.number(line, 1)
         if not 0 <= exponent <= MOST_EXPONENT:
-            deck.ledger.refuse("DAMAGE EVOLUTION.SOFTENING", block.place, f"an exponent of softening of {exponent:g}, not from 0 to {MOST_EXPONENT:g}", "it falls along a straight line")
+            deck.ledger.refuse("DAMAGE EVOLUTION.SOFTENING", block.place,
+                               f"an exponent of softening of {exponent:g}, not from 0 to {MOST_EXPONENT:g}",
+                               "it falls along a straight line")
         elif exponent >= LEAST_EXPONENT:
             keys["exponent"] = exponent
     if kind == "DISPLACEMENT":
@@ -246,14 +272,18 @@ def read_lost_force(deck: AbaqusDeck, block: Block) -> Deck | None:
     """Rows of damage and displacement."""
     rows = [line for line in block.lines if any(line[1])]
     points = [(block.number(row, 1), block.number(row, 0)) for row in rows]
-    if any(block.number(row, 2) for row in rows) or points != sorted(points) or points[0] != (0.0, 0.0) or points[-1][1] != 1 or points[-1][0] <= 0:
-        deck.ledger.refuse("DAMAGE EVOLUTION.SOFTENING", block.place, "a table of damage that does not rise from 0 at no displacement to 1, or depends on more", NEVER_FAILS)
+    if (any(block.number(row, 2) for row in rows) or points != sorted(points) or points[0] != (0.0, 0.0)
+            or points[-1][1] != 1 or points[-1][0] <= 0):
+        deck.ledger.refuse("DAMAGE EVOLUTION.SOFTENING", block.place,
+                           "a table of damage that does not rise from 0 at no displacement to 1, or depends on more",
+                           NEVER_FAILS)
         return None
     if any(y < before for (_, before), (_, y) in zip(points, points[1:])):
         raise BadInput(block.place, "the damage of *DAMAGE EVOLUTION falls: correct it")
     last = points[-1][0]
     table, error = thin_rows(order_points([(x / last, y) for x, y in points]))
     if error > 0:
-        deck.ledger.approximated("DAMAGE EVOLUTION", block.place, f"{len(table)} rows of a table of damage in place of {len(points)}, within {100 * error:.2g} %")
+        deck.ledger.approximated("DAMAGE EVOLUTION", block.place, f"{len(table)} rows of a table of damage in place of "
+                                                                  f"{len(points)}, within {100 * error:.2g} %")
     deck.ledger.translated("DAMAGE EVOLUTION", block.place, "failure.evolution")
     return {"displacement": last, "table": [list(row) for row in table]}

@@ -37,7 +37,8 @@ class RigidGroup:
     refs: set[int]  # reference nodes, with elements or without
     name: str = ""  # of the body
     keys: Deck = field(default_factory=dict)  # of the part or the set, where `fixed` belongs
-    held: dict[str, tuple[int, Deck | None]] = field(default_factory=dict)  # by direction: reference node, motion or rest
+    # by direction: reference node, motion or rest
+    held: dict[str, tuple[int, Deck | None]] = field(default_factory=dict)
     spells: dict[str, Deck] = field(default_factory=dict)  # by direction: a motion or rest from one step to another
     at_center: bool = False  # the reference node is the centre
     moves_ref: bool = False  # POSITION=CENTER OF MASS: it goes there from its place
@@ -106,9 +107,11 @@ class AbaqusDeck:
         self.parameter_tables = ParameterTables()
         self.instances: list[Instance] = []
         self.whole_assembly: Instance | None = None  # as an instance without name
-        self.assembly_elements: list[int] = []  # ids of its elements, which are read when the instances are in their places
+        # ids of its elements, which are read when the instances are in their places
+        self.assembly_elements: list[int] = []
         self.materials: dict[str, MaterialBlocks] = {}
-        self.names_of_laws: dict[str, list[str]] = {}  # in the deck of percuss: one for each way in which sections use a material
+        # in the deck of percuss: one for each way in which sections use a material
+        self.names_of_laws: dict[str, list[str]] = {}
         self.amplitudes: dict[str, Amplitude] = {}
         self.steps: list[StepTime] = []
         self.motions, self.loads = Timeline(0.0), Timeline(0.0)
@@ -135,7 +138,8 @@ class AbaqusDeck:
         self.whole_friction = 0.0  # of general contact, at the last step that is read
         self.excluded: list[frozenset[str]] = []  # pairs of parts
         self.contact_ignores_offsets = False  # OFFSET FRACTION 0: general contact of all shells is about their mesh
-        self.contact_names: dict[tuple[str, str], tuple[str, str]] = {}  # surfaces of pairs, as this deck and as percuss call them
+        # surfaces of pairs, as this deck and as percuss call them
+        self.contact_names: dict[tuple[str, str], tuple[str, str]] = {}
         self.step_scale = 0.0  # 0: percuss' own
         self.states: dict[int, tuple[float, ...]] = {}  # of user code at the start, by element
         self.states_place: Place | None = None
@@ -193,7 +197,8 @@ class AbaqusDeck:
             return table[fits[0]]
         if not fits:
             raise BadInput(place, missing(f"{what} '{clip(name)}'"))
-        raise BadInput(place, f"'{clip(name)}' may be one of {len(fits)} {what}s (several instances have it): write INSTANCE.NAME")
+        raise BadInput(place, f"'{clip(name)}' may be one of {len(fits)} {what}s (several instances have it): "
+                              "write INSTANCE.NAME")
 
     def list_ids(self, table: dict, known: dict, name: str, place: Place, what: str) -> list[int]:
         """Ids of a set, or one id: of the assembly, or as INSTANCE.ID."""
@@ -204,7 +209,8 @@ class AbaqusDeck:
         if not self.instances and not instance:
             fits, id = [0], id if id in known else 0
         else:
-            fits = [i.shift for i in (*self.instances, self.whole_assembly) if i and i.name == instance.upper() and id <= i.largest]
+            fits = [i.shift for i in (*self.instances, self.whole_assembly)
+                    if i and i.name == instance.upper() and id <= i.largest]
         if not fits or id + fits[0] not in known:
             raise BadInput(place, missing(f"{what} or id {clip(name)}"))
         return [id + fits[0]]
@@ -230,7 +236,8 @@ class AbaqusDeck:
     def step_of(self, block: Block) -> StepTime:
         """The step of a keyword; what stands before all steps acts from the first one on."""
         if max(block.step, 1) > len(self.steps):
-            raise BadInput(block.place, f"*{block.keyword} acts in a step without a procedure: add *DYNAMIC, EXPLICIT behind its *STEP")
+            raise BadInput(block.place, f"*{block.keyword} acts in a step without a procedure: add *DYNAMIC, "
+                                        "EXPLICIT behind its *STEP")
         return self.steps[max(block.step, 1) - 1]
 
     def amplitude(self, name: str, place: Place) -> Amplitude | None:
@@ -335,16 +342,21 @@ class AbaqusDeck:
         if self.find_node_surface(name) is not None:
             return self.nodes_of_surface(name, place)
         sides = self.resolve(self.mesh.surfaces, name, place, "surface")
-        found = [(id, label) for where, label in sides if not is_edge(label) for id in self.elements_of(where, place) if id in self.mesh.elements]
-        return {node for id, label in found for face in (self._list_faces(id, label, place, False) if label else [self.mesh.elements[id][1]]) for node in face}
+        found = [(id, label) for where, label in sides if not is_edge(label)
+                 for id in self.elements_of(where, place) if id in self.mesh.elements]
+        return {node for id, label in found
+                for face in (self._list_faces(id, label, place, False) if label else [self.mesh.elements[id][1]])
+                for node in face}
 
     def list_faces(self, name: str, place: Place) -> list[tuple[int, ...]]:
         """Faces of solids of a surface."""
         if self.find_node_surface(name) is not None:
             nodes = self.nodes_of_surface(name, place)
-            return [face for id in self.blocks_of_elements for face in self._list_all_faces(id) if nodes.issuperset(face)]
+            return [face for id in self.blocks_of_elements
+                    for face in self._list_all_faces(id) if nodes.issuperset(face)]
         sides = self.resolve(self.mesh.surfaces, name, place, "surface")
-        found = [(id, label) for where, label in sides for id in self.elements_of(where, place) if id in self.blocks_of_elements and self.mesh.elements[id][0] in SOLIDS]
+        found = [(id, label) for where, label in sides for id in self.elements_of(where, place)
+                 if id in self.blocks_of_elements and self.mesh.elements[id][0] in SOLIDS]
         whole = [face for id, label in found if not label for face in self._list_all_faces(id)]
         counts = Counter(frozenset(face) for face in whole)
         free = [face for face in whole if counts[frozenset(face)] == 1]
@@ -355,7 +367,8 @@ class AbaqusDeck:
         key = ("faces of", name.upper())
         if key not in self._names:
             nodes = self.nodes_of_surface(name, place)
-            faces = [face for id in self.blocks_of_elements for face in self._list_all_faces(id) if nodes.issuperset(face)]
+            faces = [face for id in self.blocks_of_elements
+                     for face in self._list_all_faces(id) if nodes.issuperset(face)]
             self._names[key] = self.model.names.take(name) if faces else ""
             if faces:
                 self.model.side_sets[self._names[key]] = faces
@@ -365,7 +378,8 @@ class AbaqusDeck:
         kind, corners = self.mesh.elements[id]
         if kind in SHELLS:
             return [corners, corners[::-1]]
-        faces = [tuple(dict.fromkeys(corners[i] for i in face)) for face in SIDES.get(len(corners), ())] if kind in SOLIDS else []
+        faces = ([tuple(dict.fromkeys(corners[i] for i in face)) for face in SIDES.get(len(corners), ())]
+                 if kind in SOLIDS else [])
         return [face for face in faces if len(face) >= 3]
 
     def add_faces(self, name: str, label: str, place: Place) -> str:
@@ -388,7 +402,8 @@ class AbaqusDeck:
         if sides and all(not label for _, label in sides):
             ids = [id for where, _ in sides for id in self.elements_of(where, place) if id in self.blocks_of_elements]
             return self._name_elements(name, ids)
-        faces = [face for where, label in sides for id in self.elements_of(where, place) if id in self.blocks_of_elements
+        faces = [face for where, label in sides
+                 for id in self.elements_of(where, place) if id in self.blocks_of_elements
                  for face in self._list_faces(id, label, place, of_contact)]  # fmt: skip
         if not faces:
             return ""
@@ -412,7 +427,8 @@ class AbaqusDeck:
     def _list_faces(self, id: int, label: str, place: Place, of_contact: bool) -> list[tuple[int, ...]]:
         kind, corners = self.mesh.elements[id]
         if kind in PLANES:
-            self.ledger.refuse("SURFACE.plane", place, "a surface of plane elements, whose faces are edges", "it is left out")
+            self.ledger.refuse("SURFACE.plane", place,
+                               "a surface of plane elements, whose faces are edges", "it is left out")
             return []
         if not kind.startswith(("C3D", "COH3D")) and kind not in FLAT:
             both = [corners, corners[::-1]]
@@ -422,7 +438,8 @@ class AbaqusDeck:
         table = SIDES.get(len(corners), ())
         number = int(label[1:]) if label[:1] in ("S", "P") and label[1:].isdigit() and len(label) == 2 else 0
         number += 1 if (kind, number) == ("CAX3", 3) else 0  # its third corner stands twice
-        number += 2 if kind in FLAT and 1 <= number <= FLAT[kind] + (kind == "CAX3") else 0  # behind the faces of its planes
+        # behind the faces of its planes
+        number += 2 if kind in FLAT and 1 <= number <= FLAT[kind] + (kind == "CAX3") else 0
         if not 1 <= number <= len(table):
             raise BadInput(place, f"element {id} has no face '{clip(label)}'")
         face = tuple(dict.fromkeys(corners[i] for i in table[number - 1]))  # of a hexahedron with collapsed edges once

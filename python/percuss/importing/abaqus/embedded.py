@@ -12,12 +12,14 @@ LEFT_OUT = "it is left out"
 def read_embedded(deck: AbaqusDeck, block: Block) -> None:
     """Lines of sets of elements; their hosts are those of HOST ELSET, or all solids."""
     name = block.option("HOST ELSET")
-    hosts = blocks_of(deck, deck.elements_of(name, block.place), block.place) if name else [part for part in deck.model.blocks if part.solids]
+    hosts = (blocks_of(deck, deck.elements_of(name, block.place), block.place) if name
+             else [part for part in deck.model.blocks if part.solids])
     solids = [part for part in hosts if part.solids]
     words = [word for line in block.lines for word in line[1] if word]
     bars = {id for word in words for id in deck.elements_of(word, block.place) if id in deck.blocks_of_elements}
     if not bars or not solids:
-        deck.ledger.refuse("EMBEDDED ELEMENT.empty", block.place, "embedded elements or hosts without elements", LEFT_OUT)
+        deck.ledger.refuse("EMBEDDED ELEMENT.empty", block.place,
+                           "embedded elements or hosts without elements", LEFT_OUT)
         return
     own = {deck.blocks_of_elements[id] for id in bars}
     if not name:

@@ -23,8 +23,10 @@ def read_equations(scope: Scope, block: Block, ledger: Ledger) -> None:
             raise BadInput(block.at(head[0]), "*EQUATION has no number of terms: correct it")
         terms: list[tuple[str, int, float]] = []
         for line in lines:
-            width = min(4, count - len(terms), max(1, len([word for word in line[1] if word]) // 3))  # CAE writes one in a line
-            terms += [(block.text(line, 3 * i), block.integer(line, 3 * i + 1), block.number(line, 3 * i + 2)) for i in range(width)]
+            # CAE writes one in a line
+            width = min(4, count - len(terms), max(1, len([word for word in line[1] if word]) // 3))
+            terms += [(block.text(line, 3 * i), block.integer(line, 3 * i + 1), block.number(line, 3 * i + 2))
+                      for i in range(width)]
             if len(terms) == count:
                 break
         else:
@@ -63,16 +65,20 @@ def add_equations(deck: AbaqusDeck) -> None:
         first, second = (deck.nodes_of(name, card.place) for name in (card.nodes[0], card.ref))
         nodes = {*first, *second}
         if deck.is_ring and card.equal != "y":
-            deck.ledger.refuse(f"{card.keyword}.axisymmetric", card.place, "equal radial displacements of axisymmetric elements", LEFT_OUT)
+            deck.ledger.refuse(f"{card.keyword}.axisymmetric", card.place,
+                               "equal radial displacements of axisymmetric elements", LEFT_OUT)
         if rigid & nodes:
-            deck.ledger.refuse(f"{card.keyword}.rigid", card.place, "equal displacements of nodes of rigid bodies", LEFT_OUT)
+            deck.ledger.refuse(f"{card.keyword}.rigid", card.place,
+                               "equal displacements of nodes of rigid bodies", LEFT_OUT)
         elif note_equal(deck, card, first, second):
             continue
         elif not deck.used_nodes().issuperset(nodes):
-            deck.ledger.refuse(f"{card.keyword}.free", card.place, "equal displacements of nodes without elements", LEFT_OUT)
+            deck.ledger.refuse(f"{card.keyword}.free", card.place,
+                               "equal displacements of nodes without elements", LEFT_OUT)
         else:
             if card.keyword == "MPC.TIE" and turning & nodes:
-                deck.ledger.refuse(card.keyword, card.place, "equal rotations of nodes", "their displacements alone are equal")
+                deck.ledger.refuse(card.keyword, card.place, "equal rotations of nodes",
+                                   "their displacements alone are equal")
             add_constraint(deck, card, first, second)
 
 
@@ -86,7 +92,8 @@ def add_constraint(deck: AbaqusDeck, card: BodyCard, first: list[int], second: l
         entry["nodes"] = deck.model.add_node_set(f"{name}_nodes", [*first, *second])
     elif len(first) == len(second):
         entry["between"] = [deck.model.add_node_set(f"{name}_{i}", nodes) for i, nodes in ((1, first), (2, second))]
-        deck.ledger.approximated(card.keyword, card.place, "constraints: counterparts of two sets are found by their places, not by their order")
+        deck.ledger.approximated(card.keyword, card.place,
+                                 "constraints: counterparts of two sets are found by their places, not by their order")
     else:
         deck.ledger.refuse(card.keyword, card.place, "equal displacements of sets of different sizes", LEFT_OUT)
         return
@@ -128,8 +135,11 @@ def keep_general(deck: AbaqusDeck, card: BodyCard, sides: list[list[int]]) -> No
             continue
         windows = deck.motions.windows.get((side[0], "xyz"[direction - 1]), []) if len(side) == 1 else []
         kinds = {window.action.kind for window in windows}
-        if not windows or not is_whole(windows, deck.end_time) or not kinds <= {FIXED, DISPLACEMENT} or (kinds != {FIXED} and points):
-            deck.ledger.refuse("EQUATION.free", card.place, "an equation of a node without elements, unless its displacement is prescribed, of one such node alone", LEFT_OUT)
+        if (not windows or not is_whole(windows, deck.end_time) or not kinds <= {FIXED, DISPLACEMENT}
+                or (kinds != {FIXED} and points)):
+            deck.ledger.refuse("EQUATION.free", card.place,
+                               "an equation of a node without elements, unless its displacement is prescribed, "
+                               "of one such node alone", LEFT_OUT)
             return
         if kinds != {FIXED}:
             points = find_sum(windows, factor)
@@ -144,16 +154,19 @@ def find_sum(windows: list[Window], factor: float) -> list[tuple[float, float]]:
     return [(time, -factor * value) for time, value in join_displacements(windows)]
 
 
-def add_entries(deck: AbaqusDeck, card: BodyCard, terms: list[tuple[list[int], str, float]], total: "float | Deck | None") -> None:
-    """One entry where each node of the first term has the node of the same row as its counterpart by place; otherwise one a row."""
+def add_entries(deck: AbaqusDeck, card: BodyCard, terms: list[tuple[list[int], str, float]],
+                total: "float | Deck | None") -> None:
+    """One entry where each node of the first term has the node of the same row as its counterpart by
+    place; otherwise one a row."""
     constraints = deck.model.deck.setdefault("constraints", {})
     count = max(len(side) for side, _, _ in terms)
     longest = next(side for side, _, _ in terms if len(side) == count)
     terms = sorted(terms, key=lambda term: len(term[0]) != count)  # a term of all nodes is the first
     name = deck.model.names.take(f"equation_{len(constraints) + 1}")
     if count > 1 and all(len(side) == 1 or are_counterparts(deck.model.nodes, longest, side) for side, _, _ in terms):
-        constraints[name] = make_entry([({"id": side[0]} if len(side) == 1 else deck.model.add_node_set(f"{name}_{i}", side), way, factor)
-                                        for i, (side, way, factor) in enumerate(terms)], total)  # fmt: skip
+        constraints[name] = make_entry(
+            [({"id": side[0]} if len(side) == 1 else deck.model.add_node_set(f"{name}_{i}", side), way, factor)
+             for i, (side, way, factor) in enumerate(terms)], total)  # fmt: skip
     else:
         for row in range(count):
             of_row = [({"id": side[row % len(side)]}, way, factor) for side, way, factor in terms]
@@ -173,4 +186,5 @@ def are_counterparts(places: dict[int, Vector], first: list[int], second: list[i
     means = [[sum(places[node][k] for node in nodes) / len(nodes) for k in range(3)] for nodes in (first, second)]
     shift = [b - a for a, b in zip(*means, strict=True)]
     size = max(abs(places[node][k] - means[0][k]) for node in first for k in range(3)) or 1.0
-    return all(abs(places[b][k] - places[a][k] - shift[k]) < 1e-4 * size / len(first) for a, b in zip(first, second, strict=True) for k in range(3))
+    return all(abs(places[b][k] - places[a][k] - shift[k]) < 1e-4 * size / len(first)
+               for a, b in zip(first, second, strict=True) for k in range(3))

@@ -1,4 +1,5 @@
-"""Nodes that move as a node without elements in some directions: *EQUATION, *MPC PIN, and *COUPLING that leaves directions free."""
+"""Nodes that move as a node without elements in some directions:
+*EQUATION, *MPC PIN, and *COUPLING that leaves directions free."""
 
 from ..ledger import Place
 from .deck import AbaqusDeck, Following
@@ -11,7 +12,8 @@ TURNS = AXES[3:]
 
 def is_partial(deck: AbaqusDeck, card: BodyCard) -> bool:
     """Whether a coupling leaves directions of its nodes free that they have."""
-    return bool(card.held) and (not card.held.startswith("123") or bool(deck.model.turning_nodes() & deck.nodes_of_surface(card.surface, card.place)))
+    return bool(card.held) and (not card.held.startswith("123")
+                                or bool(deck.model.turning_nodes() & deck.nodes_of_surface(card.surface, card.place)))
 
 
 def note_couplings(deck: AbaqusDeck) -> None:
@@ -28,7 +30,8 @@ def note_couplings(deck: AbaqusDeck) -> None:
 
 
 def refuse_coupling(deck: AbaqusDeck, place: Place) -> None:
-    deck.ledger.refuse("KINEMATIC.free", place, "a coupling that leaves directions free, unless its reference node has no element and does not turn", "its nodes are free")
+    deck.ledger.refuse("KINEMATIC.free", place, "a coupling that leaves directions free, unless its reference node has "
+                                                "no element and does not turn", "its nodes are free")
 
 
 def note_equal(deck: AbaqusDeck, card: BodyCard, first: list[int], second: list[int]) -> bool:
@@ -60,7 +63,9 @@ def follow(deck: AbaqusDeck) -> None:
             constraints = deck.model.deck.setdefault("constraints", {})
             name = deck.model.names.take(f"equal_{len(constraints) + 1}")
             constraints[name] = {"equal": free, "nodes": deck.model.add_node_set(f"{name}_nodes", following.nodes)}
-        deck.ledger.translated(following.card.keyword, following.card.place, "its nodes have the motion of the node without elements, or move equally where it is free")
+        deck.ledger.translated(following.card.keyword, following.card.place,
+                               "its nodes have the motion of the node without elements, "
+                               "or move equally where it is free")
     for leader in list_leaders(deck):
         for way in AXES:
             deck.motions.windows.pop((leader, way), None)
@@ -71,10 +76,13 @@ def is_held(windows: list[Window], end: float) -> bool:
 
 
 def move(deck: AbaqusDeck, following: Following, way: str, windows: list[Window]) -> None:
-    """What is prescribed at the leader; of another condition of a node in this direction it is not said which counts."""
+    """What is prescribed at the leader;
+    of another condition of a node in this direction it is not said which counts."""
     for node in following.nodes:
         before = deck.motions.windows.get((node, way))
         if before and not (is_held(before, deck.end_time) and is_held(windows, deck.end_time)):
             card = following.card
-            deck.ledger.refuse(f"{card.keyword}.both", card.place, "nodes with a condition of their own in a direction in which they follow another node", "that of the other node counts")
+            deck.ledger.refuse(f"{card.keyword}.both", card.place,
+                               "nodes with a condition of their own in a direction in which they follow another node",
+                               "that of the other node counts")
         deck.motions.windows[(node, way)] = windows

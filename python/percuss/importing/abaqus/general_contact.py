@@ -53,7 +53,8 @@ def read_inclusions(deck: AbaqusDeck, block: Block) -> None:
             add_pair(deck, block, (line[0], [first, "" if second.upper() == first.upper() else second]), None)
             continue
         if second:
-            deck.ledger.refuse("CONTACT INCLUSIONS.exterior", block.at(line[0]), "contact of one surface with everything", "everything touches everything")
+            deck.ledger.refuse("CONTACT INCLUSIONS.exterior", block.at(line[0]),
+                               "contact of one surface with everything", "everything touches everything")
         include_all(deck, block)
 
 
@@ -102,7 +103,8 @@ def read_property(deck: AbaqusDeck, block: Block) -> None:
 def change_friction(deck: AbaqusDeck, block: Block, friction: float) -> None:
     """That of everything, from the step of the block on."""
     start, general = deck.step_of(block).start, find_open(deck)
-    if start > 0 and friction != deck.whole_friction and any("friction" not in pair and pair.get("from") != deck.sensor_at(start) for pair in deck.pairs):
+    if (start > 0 and friction != deck.whole_friction
+            and any("friction" not in pair and pair.get("from") != deck.sensor_at(start) for pair in deck.pairs)):
         refuse_change(deck, block, "friction of the surfaces of general contact")
         return
     deck.whole_friction = friction
@@ -118,7 +120,8 @@ def assign_friction(deck: AbaqusDeck, block: Block, names: tuple[str, str], plac
     if not names[1]:  # of the first one with itself
         names = (names[0], names[0])
     if any(is_profile(deck, name) for name in names if name):
-        deck.ledger.refuse(block.keyword, place, "a friction of one pair with an analytical surface", "that of all is used")
+        deck.ledger.refuse(block.keyword, place,
+                           "a friction of one pair with an analytical surface", "that of all is used")
         return
     sides = [deck.surface_name(name, place, of_contact=True) for name in reversed(names) if name]
     if not all(sides):
@@ -139,7 +142,8 @@ def list_rest(deck: AbaqusDeck) -> list[Deck]:
     names = [part.name for part in deck.model.blocks]
     pairs = [pair for pair in combinations_with_replacement(names, 2) if frozenset(pair) not in deck.excluded]
     if len(pairs) > MOST_PAIRS:
-        raise BadInput(deck.steps[0].place, f"general contact with exclusions makes {len(pairs)} pairs of parts (at most {MOST_PAIRS}): name the pairs that touch")
+        raise BadInput(deck.steps[0].place, f"general contact with exclusions makes {len(pairs)} pairs of parts "
+                                            f"(at most {MOST_PAIRS}): name the pairs that touch")
     return [{"a": a, "b": b} for a, b in pairs]
 
 
@@ -163,10 +167,12 @@ def list_general_pairs(deck: AbaqusDeck, generals: list[General]) -> list[Deck]:
         return rest if deck.pairs or deck.excluded else []
     place = generals[-1].place
     if deck.wall_pairs or any(group.profile for group in deck.groups):
-        deck.ledger.refuse("CONTACT.step", place, "general contact with an analytical surface that changes with a step", CHANGES)
+        deck.ledger.refuse("CONTACT.step", place,
+                           "general contact with an analytical surface that changes with a step", CHANGES)
     windows = []
     for general in generals:
-        times: Deck = ({"from": deck.sensor_at(general.start)} if general.start > 0 else {}) | ({"until": deck.sensor_at(general.end)} if general.end is not None else {})
+        times: Deck = (({"from": deck.sensor_at(general.start)} if general.start > 0 else {})
+                       | ({"until": deck.sensor_at(general.end)} if general.end is not None else {}))
         windows += [{**pair, "friction": general.friction, **times} for pair in rest]
     return windows
 
@@ -176,7 +182,8 @@ def include_beams(deck: AbaqusDeck, section: Deck, place: Place) -> None:
     embedded = {entry["nodes"] for entry in deck.model.deck.get("embedded", {}).values()}
     if any(part.beams and part.name not in embedded for part in deck.model.blocks):
         section["beams"] = True
-        deck.ledger.approximated("CONTACT INCLUSIONS.beams", place, "contact.beams: beams touch as round bars, of a rectangle or a box with its area")
+        deck.ledger.approximated("CONTACT INCLUSIONS.beams", place,
+                                 "contact.beams: beams touch as round bars, of a rectangle or a box with its area")
 
 
 def finish_contact(deck: AbaqusDeck) -> None:
@@ -204,4 +211,5 @@ def refuse_ring_friction(deck: AbaqusDeck, section: Deck) -> None:
     """The flat faces of a sector are pressed by more than its share of the ring, where they face outward."""
     has_friction = section.get("friction") or any(pair.get("friction") for pair in deck.pairs)
     if deck.is_ring and section.get("surfaces", "none") != "none" and has_friction:
-        deck.ledger.refuse("FRICTION.axisymmetric", deck.steps[0].place, "friction between axisymmetric elements", "it is up to 1.4 times as large")
+        deck.ledger.refuse("FRICTION.axisymmetric", deck.steps[0].place, "friction between axisymmetric elements",
+                           "it is up to 1.4 times as large")

@@ -7,7 +7,7 @@ from operator import mul
 from ..fields import MOST_ID, clip
 from ..ledger import BadInput, Place, missing
 from ..model import Vector
-from ..shapes import cross, normalise, subtract
+from ..shapes import cross, make_vector, normalise, subtract
 from .lines import Block
 from .mesh import MOST_MEMBERS, Scope, keep_once, rotate
 
@@ -16,22 +16,25 @@ SAME_PLACE = 1e-6  # of the largest coordinate: what files round
 
 
 def read_system(scope: Scope, block: Block) -> None:
-    """*SYSTEM: origin, a point of x, and a point of the plane of x and y, without which z is that of space; without data the axes of space."""
+    """*SYSTEM: origin, a point of x, and a point of the plane of x and y, without which z is that of space;
+    without data the axes of space."""
     values = [block.number(line, i) for line in block.lines for i in range(len(line[1])) if line[1][i]]
     if not values:
         scope.origin, scope.axes = (0.0, 0.0, 0.0), None
         return
     if len(values) not in (3, 6, 9):
-        raise BadInput(block.place, "*SYSTEM has neither 3, 6 nor 9 numbers (an origin, and one or two points): correct it")
+        raise BadInput(block.place,
+                       "*SYSTEM has neither 3, 6 nor 9 numbers (an origin, and one or two points): correct it")
     scope.origin, scope.axes = (values[0], values[1], values[2]), None
     if len(values) == 6:  # z stays, and the axis x lies in the plane of x and y
         x, y = values[3] - values[0], values[4] - values[1]
         if not math.hypot(x, y) > 0:
-            raise BadInput(block.place, "the second point of *SYSTEM lies above the origin: correct it, or add a third point")
+            raise BadInput(block.place,
+                           "the second point of *SYSTEM lies above the origin: correct it, or add a third point")
         first = normalise((x, y, 0.0))
         scope.axes = first, (-first[1], first[0], 0.0), (0.0, 0.0, 1.0)
     if len(values) == 9:
-        scope.axes = make_axes(scope.origin, tuple(values[3:6]), tuple(values[6:9]), block.place)  # type: ignore[arg-type]
+        scope.axes = make_axes(scope.origin, make_vector(values[3:6]), make_vector(values[6:9]), block.place)
 
 
 def make_axes(origin: Vector, on_x: Vector, in_plane: Vector, place: Place) -> Axes:
@@ -45,7 +48,8 @@ def make_axes(origin: Vector, on_x: Vector, in_plane: Vector, place: Place) -> A
 
 
 def place_node(scope: Scope, kind: str, v: Vector) -> Vector:
-    """Coordinates in a rectangular, cylindrical (r, angle, z) or spherical (r, angle, angle from the plane) system, in space."""
+    """Coordinates in a rectangular, cylindrical (r, angle, z) or spherical (r, angle,
+    angle from the plane) system, in space."""
     if kind == "C":
         v = (v[0] * math.cos(math.radians(v[1])), v[0] * math.sin(math.radians(v[1])), v[2])
     elif kind == "S":
@@ -72,8 +76,10 @@ def read_nodes(scope: Scope, block: Block) -> None:
 def add_node(scope: Scope, block: Block, id: int, x: Vector) -> None:
     if not 1 <= id <= MOST_ID or len(scope.nodes) >= MOST_MEMBERS:
         raise BadInput(block.place, f"*{block.keyword} makes node {id}, or too many of them: correct it")
-    if math.dist(scope.nodes.get(id, x), x) > SAME_PLACE * max(abs(c) for c in x) and (first := scope.node_lines.find(id)):
-        raise BadInput(block.place, f"*{block.keyword} makes node {id} at another place (the first is at {first}): renumber or remove one")
+    if (math.dist(scope.nodes.get(id, x), x) > SAME_PLACE * max(abs(c) for c in x)
+            and (first := scope.node_lines.find(id))):
+        raise BadInput(block.place, f"*{block.keyword} makes node {id} at another place (the first is at {first}): "
+                                    "renumber or remove one")
     scope.nodes[id] = x
 
 
@@ -95,7 +101,8 @@ def read_ngen(scope: Scope, block: Block) -> None:
         a, b = find_node(scope, block, line, first), find_node(scope, block, line, last)
         count = abs(last - first) // step
         if abs(last - first) % step or not count:
-            raise BadInput(block.at(line[0]), f"ids {first} to {last} are not a whole number of increments of {step}: correct it")
+            raise BadInput(block.at(line[0]),
+                           f"ids {first} to {last} are not a whole number of increments of {step}: correct it")
         ids = [first + (step if last > first else -step) * i for i in range(min(count, MOST_MEMBERS) + 1)]
         curve = choose_curve(scope, block, line, a, b)
         for i, id in enumerate(ids[1:-1], 1):
@@ -103,18 +110,23 @@ def read_ngen(scope: Scope, block: Block) -> None:
         add_set(scope.node_sets, block.option("NSET"), ids)
 
 
-def choose_curve(scope: Scope, block: Block, line: tuple[int, list[str]], a: Vector, b: Vector) -> Callable[[float], Vector]:
+def choose_curve(scope: Scope, block: Block, line: tuple[int, list[str]], a: Vector,
+                 b: Vector) -> Callable[[float], Vector]:
     """Places by their share of a straight line, a parabola (P, its midpoint is given) or an arc (C, its centre)."""
     kind, system = block.option("LINE"), block.option("SYSTEM") or "R"
     if not kind:
         return lambda share: between(a, b, share)
     if kind not in ("P", "C") or system not in ("R", "RC", "C", "S"):
-        raise BadInput(block.place, f"*NGEN, LINE={clip(kind)}, SYSTEM={clip(system)} (P or C, and RC, C or S are expected): correct it")
+        raise BadInput(block.place, f"*NGEN, LINE={clip(kind)}, SYSTEM={clip(system)} "
+                                    "(P or C, and RC, C or S are expected): correct it")
     values = (block.number(line, 4), block.number(line, 5), block.number(line, 6))
-    extra = find_node(scope, block, line, block.id(line, 3)) if block.text(line, 3) else place_node(scope, system[0], values)
+    extra = (find_node(scope, block, line, block.id(line, 3)) if block.text(line, 3)
+             else place_node(scope, system[0], values))
     if kind == "P":
-        return lambda s: tuple((1 - s) * (1 - 2 * s) * p + 4 * s * (1 - s) * m + s * (2 * s - 1) * q for p, m, q in zip(a, extra, b))  # type: ignore[return-value]
-    return turn_about(extra, a, b, (block.number(line, 7), block.number(line, 8), block.number(line, 9)), block.at(line[0]))
+        return lambda s: make_vector((1 - s) * (1 - 2 * s) * p + 4 * s * (1 - s) * m + s * (2 * s - 1) * q
+                                     for p, m, q in zip(a, extra, b))
+    return turn_about(extra, a, b, (block.number(line, 7), block.number(line, 8), block.number(line, 9)),
+                      block.at(line[0]))
 
 
 def turn_about(center: Vector, a: Vector, b: Vector, normal: Vector, place: Place) -> Callable[[float], Vector]:
@@ -139,11 +151,13 @@ def read_nfill(scope: Scope, block: Block) -> None:
     for line in block.lines:
         sides = [scope.node_sets.get(block.text(line, i).upper()) for i in (0, 1)]
         if sides[0] is None or sides[1] is None:
-            raise BadInput(block.at(line[0]), missing(f"node set '{clip(block.text(line, 0))}' or '{clip(block.text(line, 1))}'"))
+            raise BadInput(block.at(line[0]),
+                           missing(f"node set '{clip(block.text(line, 0))}' or '{clip(block.text(line, 1))}'"))
         count, step = block.integer(line, 2, 1), block.integer(line, 3, 1)
         first, last = (sorted(set(side or [])) for side in sides)
         if len(first) != len(last) or not 1 <= count <= MOST_MEMBERS:
-            raise BadInput(block.at(line[0]), "the two sets of *NFILL differ in size, or there is no interval: correct it")
+            raise BadInput(block.at(line[0]),
+                           "the two sets of *NFILL differ in size, or there is no interval: correct it")
         for a, b in zip(first, last):
             ids = [a + step * i for i in range(1, count)]
             x, y = find_node(scope, block, line, a), find_node(scope, block, line, b)
@@ -157,7 +171,8 @@ def read_ncopy(scope: Scope, block: Block) -> None:
     raise_ids = block.integer((block.place.line, [block.options.get("CHANGE NUMBER", "")]), 0)
     old = scope.node_sets.get(block.option("OLD SET"))
     if old is None or "SHIFT" not in block.options:
-        raise BadInput(block.place, "*NCOPY has no set that is there, or no SHIFT (other copies are not read): write the nodes out")
+        raise BadInput(block.place,
+                       "*NCOPY has no set that is there, or no SHIFT (other copies are not read): write the nodes out")
     line = block.lines[0] if block.lines else (block.place.line, [])
     move = [block.number(line, i) for i in range(3)]
     turn = [block.number(block.lines[1], i) for i in range(7)] if len(block.lines) > 1 else []
@@ -174,7 +189,8 @@ def read_nmap(scope: Scope, block: Block) -> None:
     """Nodes that are in a set by now, moved along an axis by a length, or turned about it by an angle."""
     kind = block.option("TYPE")
     if kind not in ("TRANSLATION", "ROTATION"):
-        raise BadInput(block.place, f"*NMAP, TYPE={clip(kind)} (TRANSLATION or ROTATION is expected): write the nodes out")
+        raise BadInput(block.place,
+                       f"*NMAP, TYPE={clip(kind)} (TRANSLATION or ROTATION is expected): write the nodes out")
     nodes = scope.node_sets.get(block.option("NSET"))
     if nodes is None:
         raise BadInput(block.place, missing(f"node set '{clip(block.option('NSET'))}'"))
@@ -227,8 +243,10 @@ def read_elcopy(scope: Scope, block: Block) -> None:
     """A set of elements with other ids and nodes."""
     old = scope.element_sets.get(block.option("OLD SET"))
     if old is None or "REFLECT" in block.options:
-        raise BadInput(block.place, "*ELCOPY has no set that is there, or reflects (which is not read): write the elements out")
-    raise_ids, raise_nodes = (block.integer((block.place.line, [block.options.get(name, "")]), 0) for name in ("ELEMENT SHIFT", "SHIFT NODES"))
+        raise BadInput(block.place,
+                       "*ELCOPY has no set that is there, or reflects (which is not read): write the elements out")
+    raise_ids, raise_nodes = (block.integer((block.place.line, [block.options.get(name, "")]), 0)
+                              for name in ("ELEMENT SHIFT", "SHIFT NODES"))
     for id in old:
         if id in scope.elements:
             kind, corners = scope.elements[id]
@@ -236,4 +254,5 @@ def read_elcopy(scope: Scope, block: Block) -> None:
     add_set(scope.element_sets, block.option("NEW SET"), [id + raise_ids for id in old])
 
 
-GENERATORS = {"SYSTEM": read_system, "NGEN": read_ngen, "NFILL": read_nfill, "NCOPY": read_ncopy, "NMAP": read_nmap, "ELGEN": read_elgen, "ELCOPY": read_elcopy}
+GENERATORS = {"SYSTEM": read_system, "NGEN": read_ngen, "NFILL": read_nfill, "NCOPY": read_ncopy, "NMAP": read_nmap,
+              "ELGEN": read_elgen, "ELCOPY": read_elcopy}

@@ -23,19 +23,22 @@ def add_glue(deck: AbaqusDeck, block: Block, names: tuple[str, str], interaction
         deck.ledger.refuse("COHESIVE BEHAVIOR.step", place, "bonds that begin in a later step", NEVER_TIED)
         return
     if not all(names):
-        deck.ledger.refuse("COHESIVE BEHAVIOR.surfaces", place, "bonds of everything that touches, instead of two named surfaces", NEVER_TIED)
+        deck.ledger.refuse("COHESIVE BEHAVIOR.surfaces", place,
+                           "bonds of everything that touches, instead of two named surfaces", NEVER_TIED)
         return
     sides = [deck.surface_name(name, place, of_contact=True) for name in names]
     law = read_law(deck, Bonds("COHESIVE BEHAVIOR", blocks[0].place, blocks, "COHESIVE BEHAVIOR", NEVER_TIED))
     if law and all(sides):
-        deck.model.deck.setdefault("contact", {}).setdefault("ties", []).append({"a": sides[0], "b": sides[1], "cohesive": law})
+        deck.model.deck.setdefault("contact", {}).setdefault("ties", []).append(
+            {"a": sides[0], "b": sides[1], "cohesive": law})
         deck.ledger.translated("COHESIVE BEHAVIOR", place, "contact.ties with cohesive")
 
 
 def refuse_glue(deck: AbaqusDeck, interaction: str, place: Place) -> None:
     """Bonds of a contact pair, which Abaqus/Explicit does not have."""
     if deck.glues.get(interaction.upper()):
-        deck.ledger.refuse("COHESIVE BEHAVIOR.pair", place, "bonds of a contact pair instead of general contact", NEVER_TIED)
+        deck.ledger.refuse("COHESIVE BEHAVIOR.pair", place,
+                           "bonds of a contact pair instead of general contact", NEVER_TIED)
 
 
 @dataclass
@@ -51,16 +54,20 @@ class Bonds:
 
     def find(self, keyword: str) -> Block | None:
         """The last block of a keyword that has data."""
-        found = [block for block in self.blocks if block.keyword == keyword and any(any(line[1]) for line in block.lines)]
+        found = [block
+                 for block in self.blocks if block.keyword == keyword and any(any(line[1]) for line in block.lines)]
         return found[-1] if found else None
 
 
 def read_law(deck: AbaqusDeck, bonds: Bonds) -> Deck:
     """Keys of a cohesive tie; empty: refused."""
-    behavior, start, end = (bonds.find(keyword) for keyword in (bonds.stiffness, "DAMAGE INITIATION", "DAMAGE EVOLUTION"))
+    behavior, start, end = (bonds.find(keyword)
+                            for keyword in (bonds.stiffness, "DAMAGE INITIATION", "DAMAGE EVOLUTION"))
     if not (behavior and start and end):
-        lacks = next(word for word, block in ((bonds.stiffness, behavior), ("DAMAGE INITIATION", start), ("DAMAGE EVOLUTION", end)) if not block)
-        what = "bonds with the stiffness of the penalty method" if lacks == "COHESIVE BEHAVIOR" else f"bonds without the data of *{lacks}"
+        lacks = next(word for word, block in ((bonds.stiffness, behavior), ("DAMAGE INITIATION", start),
+                                              ("DAMAGE EVOLUTION", end)) if not block)
+        what = ("bonds with the stiffness of the penalty method" if lacks == "COHESIVE BEHAVIOR"
+                else f"bonds without the data of *{lacks}")
         deck.ledger.refuse(f"{bonds.card}.{lacks}", bonds.place, what, bonds.instead)
         return {}
     faults = [fault for fault in (find_fault_of_bonds(behavior), find_fault_of_damage(start, end)) if fault]
@@ -73,32 +80,40 @@ def read_law(deck: AbaqusDeck, bonds: Bonds) -> Deck:
         if has_one_value(block):
             row[1] = row[2] = row[0]
         if min(row) <= 0 or abs(row[1] - row[2]) > CLOSE * row[1]:
-            deck.ledger.refuse(f"{bonds.card}.directions", block.place, f"values of *{block.keyword} that differ in both directions of shear, or are not positive", bonds.instead)
+            deck.ledger.refuse(f"{bonds.card}.directions", block.place,
+                               f"values of *{block.keyword} that differ in both directions of shear, "
+                               "or are not positive", bonds.instead)
             return {}
     (k_n, k_s, _), (t_n, t_s, _), (g_n, g_s, _) = rows
     if abs(k_n - k_s) > CLOSE * k_n:
         text = "bonds whose stiffnesses in tension and shear differ: mixes have another effective separation"
-        if not deck.ledger.refuse(f"{bonds.card}.mix", behavior.place, text, "mixes spend the energy at their share of shear"):
+        if not deck.ledger.refuse(f"{bonds.card}.mix", behavior.place, text,
+                                  "mixes spend the energy at their share of shear"):
             return {}
     k_n, k_s = k_n / bonds.thickness, k_s / bonds.thickness
     if end.option("TYPE") == "DISPLACEMENT":
-        if abs(t_n - t_s) > CLOSE * t_n and not deck.ledger.refuse(f"{bonds.card}.mix", end.place, "one displacement of failure for strengths that differ", "mixes spend the energy at their share of shear"):
+        if abs(t_n - t_s) > CLOSE * t_n and not deck.ledger.refuse(
+                f"{bonds.card}.mix", end.place, "one displacement of failure for strengths that differ",
+                "mixes spend the energy at their share of shear"):
             return {}
         g_n, g_s = 0.5 * t_n * (g_n + t_n / k_n), 0.5 * t_s * (g_s + t_s / k_s)
-    law: Deck = {"normal_stiffness": k_n, "shear_stiffness": k_s, "normal_strength": t_n, "shear_strength": t_s, "normal_energy": g_n, "shear_energy": g_s, **read_mix(end)}
+    law: Deck = {"normal_stiffness": k_n, "shear_stiffness": k_s, "normal_strength": t_n, "shear_strength": t_s,
+                 "normal_energy": g_n, "shear_energy": g_s, **read_mix(end)}
     if start.option("CRITERION") == "MAXS":
         law["onset"] = "maximum"
     if end.option("SOFTENING") == "EXPONENTIAL":
         law["softening"] = "exponential"
     if find_energy_fault(law):
-        deck.ledger.refuse(f"{bonds.card}.energy", end.place, "bonds that have stored more than their energy at their strength", bonds.instead)
+        deck.ledger.refuse(f"{bonds.card}.energy", end.place,
+                           "bonds that have stored more than their energy at their strength", bonds.instead)
         return {}
     return law
 
 
 def has_one_value(block: Block) -> bool:
     """An energy or a displacement that is that of all mixes."""
-    return block.keyword == "DAMAGE EVOLUTION" and block.option("MIXED MODE BEHAVIOR") in ("", "MODE INDEPENDENT", "TABULAR")
+    return (block.keyword == "DAMAGE EVOLUTION"
+            and block.option("MIXED MODE BEHAVIOR") in ("", "MODE INDEPENDENT", "TABULAR"))
 
 
 def read_mix(end: Block) -> Deck:
@@ -113,7 +128,8 @@ def note_contacts(deck: AbaqusDeck, behavior: Block) -> bool:
     if behavior.option("ELIGIBILITY") == "ORIGINAL CONTACTS":
         return True
     text = "bonds of nodes that come into contact later"
-    return deck.ledger.refuse("COHESIVE BEHAVIOR.ELIGIBILITY", behavior.place, text, "those that touch at the start are bonded")
+    return deck.ledger.refuse("COHESIVE BEHAVIOR.ELIGIBILITY", behavior.place, text,
+                              "those that touch at the start are bonded")
 
 
 def find_fault_of_bonds(behavior: Block) -> tuple[Place, str] | None:
@@ -131,7 +147,8 @@ def find_fault_of_damage(start: Block, end: Block) -> tuple[Place, str] | None:
         return start.place, f"damage of bonds by the criterion {clip(start.option('CRITERION')) or 'that is not given'}"
     softenings = ("", "LINEAR", "EXPONENTIAL") if end.option("TYPE") == "ENERGY" else ("", "LINEAR")
     if end.option("TYPE") not in ("ENERGY", "DISPLACEMENT") or end.option("SOFTENING") not in softenings:
-        return end.place, "damage of bonds by a table, by an exponential of the displacement, or given by neither an energy nor a displacement"
+        return (end.place, "damage of bonds by a table, by an exponential of the displacement, "
+                           "or given by neither an energy nor a displacement")
     lines = [line for line in end.lines if any(line[1])]
     mix = end.option("MIXED MODE BEHAVIOR")
     if mix not in ("", "MODE INDEPENDENT", "TABULAR", "BK", "POWER LAW") or has_one_value(end) and len(lines) > 1:

@@ -12,7 +12,8 @@ from .lines import Block
 
 CONDUCTING = "DYNAMIC TEMPERATURE-DISPLACEMENT"
 KEYWORDS = ("INELASTIC HEAT FRACTION", "SPECIFIC HEAT", "CONDUCTIVITY", "EXPANSION")
-MOST_DIFFUSION = 0.0625  # diffusivity times the time of the run, over the square of an edge: a quarter of it, which no mesh resolves
+# diffusivity times the time of the run, over the square of an edge: a quarter of it, which no mesh resolves
+MOST_DIFFUSION = 0.0625
 NO_STEP = "no temperature changes: the step is not ADIABATIC"
 
 
@@ -41,7 +42,8 @@ def take_heat(deck: AbaqusDeck, law: Deck, blocks: list[Block]) -> set[str]:
         else:
             deck.ledger.ignored(keyword, block.place, "the law does not depend on the temperature")
     if deck.heats and is_warm and share and capacity and share.lines and capacity.lines:
-        law |= {"specific_heat": capacity.number(capacity.lines[0], 0), "heating_share": share.number(share.lines[0], 0, 0.9)}
+        law |= {"specific_heat": capacity.number(capacity.lines[0], 0),
+                "heating_share": share.number(share.lines[0], 0, 0.9)}
         law["start_temperature"] = 0.0  # of Abaqus, where *INITIAL CONDITIONS gives none
         if law["model"] == "user":
             text = "the heat of the inelastic energy that the VUMAT reports (enerInelasNew), at the end of a step"
@@ -52,13 +54,16 @@ def take_heat(deck: AbaqusDeck, law: Deck, blocks: list[Block]) -> set[str]:
 def add_expansion(deck: AbaqusDeck, law: Deck, block: Block, gets_warm: bool) -> None:
     """*EXPANSION: one coefficient, from the temperature at the start on."""
     if block.option("TYPE") not in ("", "ISO") or len(block.lines) != 1 or "USER" in block.options:
-        deck.ledger.refuse("EXPANSION", block.place, "thermal expansion by a table, by directions or by user code", "there is none")
+        deck.ledger.refuse("EXPANSION", block.place,
+                           "thermal expansion by a table, by directions or by user code", "there is none")
     elif not gets_warm:
-        deck.ledger.ignored("EXPANSION", block.place, "no temperature changes: the material has no plastic work that heats")
+        deck.ledger.ignored("EXPANSION", block.place,
+                            "no temperature changes: the material has no plastic work that heats")
     elif "equation_of_state" in law:
         deck.ledger.refuse("EXPANSION", block.place, "thermal expansion beside *EOS", "there is none")
     elif block.number(block.lines[0], 0) < 0:
-        deck.ledger.refuse("EXPANSION", block.place, "a material that shrinks where it gets warm", "there is no expansion")
+        deck.ledger.refuse("EXPANSION", block.place,
+                           "a material that shrinks where it gets warm", "there is no expansion")
     else:
         law["thermal_expansion"] = block.number(block.lines[0], 0)
         deck.ledger.translated("EXPANSION", block.place, "thermal_expansion")
@@ -77,15 +82,18 @@ def check_conduction(deck: AbaqusDeck) -> None:
     place = deck.conducting_place
     if place is None:
         return
-    shares = [share for material, names in deck.names_of_laws.items() for share in find_diffusion(deck, material, set(names))]
+    shares = [share for material, names in deck.names_of_laws.items()
+              for share in find_diffusion(deck, material, set(names))]
     worst = max(shares, default=0.0)
     if worst == 0:
         deck.ledger.ignored(CONDUCTING, place, "no heat moves from element to element that changes a stress")
     elif worst <= MOST_DIFFUSION:
-        text = f"each point keeps its heat: it would move by {math.sqrt(worst):.2g} of the shortest edge (the root of diffusivity times time)"
+        text = (f"each point keeps its heat: it would move by {math.sqrt(worst):.2g} of the shortest edge "
+                "(the root of diffusivity times time)")
         deck.ledger.approximated(CONDUCTING, place, text)
     else:
-        what = f"conduction of heat, which moves by {math.sqrt(worst):.2g} of the shortest edge in the time of the run (up to {math.sqrt(MOST_DIFFUSION):g} it is left out)"
+        what = (f"conduction of heat, which moves by {math.sqrt(worst):.2g} of the shortest edge in the time of the "
+                f"run (up to {math.sqrt(MOST_DIFFUSION):g} it is left out)")
         deck.ledger.refuse(CONDUCTING, place, what, "plastic work heats each point alone, as with ADIABATIC")
 
 
@@ -99,7 +107,8 @@ def find_diffusion(deck: AbaqusDeck, material: str, names: set[str]) -> list[flo
     if conductivity <= 0 or has_one_element:
         return []
     laws = deck.model.materials
-    of_material = [part for part in deck.model.blocks if part.keys["material"] in names and has(laws[part.keys["material"]], "has_temperature")]
+    of_material = [part for part in deck.model.blocks
+                   if part.keys["material"] in names and has(laws[part.keys["material"]], "has_temperature")]
     if capacity <= 0:
         return [math.inf for _ in of_material]
     return [conductivity / capacity * deck.end_time / find_shortest_edge(deck, part) ** 2 for part in of_material]
@@ -107,7 +116,8 @@ def find_diffusion(deck: AbaqusDeck, material: str, names: set[str]) -> list[flo
 
 def find_shortest_edge(deck: AbaqusDeck, part: ModelBlock) -> float:
     """The least distance of two corners of an element that are apart."""
-    lengths = (math.dist(deck.mesh.nodes[a], deck.mesh.nodes[b]) for _, corners in part.elements() for a, b in combinations(corners, 2))
+    lengths = (math.dist(deck.mesh.nodes[a], deck.mesh.nodes[b]) for _, corners in part.elements()
+               for a, b in combinations(corners, 2))
     return min((length for length in lengths if length > 0), default=math.inf)
 
 
@@ -140,7 +150,8 @@ def apply_temperatures(deck: AbaqusDeck) -> None:
         return
     for block in warm:
         law = materials[block.keys["material"]]
-        lowest = min(values) if law["model"] == "johnson_cook" else min(values) or max(values)  # of 0 user code keeps none
+        # of 0 user code keeps none
+        lowest = min(values) if law["model"] == "johnson_cook" else min(values) or max(values)
         law["start_temperature"] = limit_temperature(deck, law, lowest, place)
     models = sorted({materials[block.keys["material"]]["model"] for block in warm})
     deck.ledger.translated("INITIAL CONDITIONS", place, f"start_temperature of {', '.join(models)}")
@@ -154,8 +165,8 @@ def limit_temperature(deck: AbaqusDeck, law: Deck, value: float, place: Place) -
     if value < melt:
         return value
     deck.ledger.refuse(
-        "INITIAL CONDITIONS.melt", place,
-        f"a temperature of {value:g}, where johnson_cook melts at {melt:g}", "these elements begin with the transition temperature",
+        "INITIAL CONDITIONS.melt", place, f"a temperature of {value:g}, where johnson_cook melts at {melt:g}",
+        "these elements begin with the transition temperature",
     )  # fmt: skip
     return law["room_temperature"]
 
@@ -166,7 +177,8 @@ def add_element_temperatures(deck: AbaqusDeck, warm: list[ModelBlock], place: Pl
         for id, corners in block.elements():
             if len(corners) == 10:
                 deck.ledger.refuse(
-                    "INITIAL CONDITIONS.ten_nodes", place, "temperatures that differ, of tetrahedra of ten nodes", "that of the material is used"
+                    "INITIAL CONDITIONS.ten_nodes", place, "temperatures that differ, of tetrahedra of ten nodes",
+                    "that of the material is used"
                 )
                 continue
             value = math.fsum(deck.temperatures.get(node, 0.0) for node in corners) / len(corners)
@@ -174,4 +186,5 @@ def add_element_temperatures(deck: AbaqusDeck, warm: list[ModelBlock], place: Pl
             rows[id] = [f"{id},{value!r}"]
     if rows:
         deck.model.add_start_rows("temperatures.csv", "element,temperature", rows)
-        deck.ledger.approximated("INITIAL CONDITIONS.several", place, "start.fields: of each element the mean of its nodes")
+        deck.ledger.approximated("INITIAL CONDITIONS.several", place,
+                                 "start.fields: of each element the mean of its nodes")

@@ -40,7 +40,8 @@ def read_velocity(deck: AbaqusDeck, block: Block) -> None:
             if node in deck.group_of_ref:
                 deck.body_velocities.setdefault(node, [0.0] * 6)[dof - 1] = value
             else:
-                deck.velocities.setdefault(node, [0.0, 0.0, 0.0])[2 if node in deck.turned and dof == 1 else dof - 1] = value
+                deck.velocities.setdefault(node,
+                                           [0.0, 0.0, 0.0])[2 if node in deck.turned and dof == 1 else dof - 1] = value
     deck.ledger.translated("INITIAL CONDITIONS", block.place, "initial: velocity")
 
 
@@ -56,14 +57,16 @@ def read_rotation(deck: AbaqusDeck, block: Block) -> None:
         if not any(axis):
             raise BadInput(block.at(ends[0]), "the two points of an axis are one: correct them")
         nodes = deck.nodes_of(block.text(line, 0), block.at(line[0]))
-        members = {n for node in nodes for n in (deck.group_of_ref[node].nodes if node in deck.group_of_ref else [node])}
+        members = {n for node in nodes
+                   for n in (deck.group_of_ref[node].nodes if node in deck.group_of_ref else [node])}
         used = sorted(members & deck.used_nodes())
         if not used:
             deck.ledger.ignored("INITIAL CONDITIONS", block.at(line[0]), "its nodes have no element")
             continue
         spin = [block.number(line, 1) * c for c in axis]
         velocity = [block.number(line, i) for i in (2, 3, 4)]
-        entry: Deck = {"nodes": name_nodes(deck, used, "turning"), "velocity": velocity, "angular_velocity": spin, "center": list(a)}
+        entry: Deck = {"nodes": name_nodes(deck, used, "turning"), "velocity": velocity, "angular_velocity": spin,
+                       "center": list(a)}
         deck.model.add("initial", entry)
         deck.rotations.append(Rotation(set(used), tuple(velocity), tuple(spin), a))  # type: ignore[arg-type]
         deck.ledger.translated("INITIAL CONDITIONS", block.at(line[0]), "initial: velocity and spin")
@@ -85,7 +88,8 @@ def add_velocities(deck: AbaqusDeck) -> None:
             turning.append({"body": group.name, "velocity": velocity[:3], "angular_velocity": velocity[3:]})
         elif group.nodes:
             name = name_nodes(deck, sorted(group.nodes), "turning")
-            turning.append({"nodes": name, "velocity": velocity[:3], "angular_velocity": velocity[3:], "center": list(deck.mesh.nodes[node])})
+            turning.append({"nodes": name, "velocity": velocity[:3], "angular_velocity": velocity[3:],
+                            "center": list(deck.mesh.nodes[node])})
     for index, (of_group, members) in enumerate(groups.items(), 1):
         nodes = list(dict.fromkeys(members))
         if not nodes:
@@ -107,6 +111,6 @@ def name_nodes(deck: AbaqusDeck, nodes: list[int], wish: str) -> str:
 
 
 READERS = {
-    "VELOCITY": read_velocity, "ROTATING VELOCITY": read_rotation, "TEMPERATURE": read_temperature, "STRESS": read_stresses, "FIELD": read_field,
-    "HARDENING": read_hardening,
+    "VELOCITY": read_velocity, "ROTATING VELOCITY": read_rotation, "TEMPERATURE": read_temperature,
+    "STRESS": read_stresses, "FIELD": read_field, "HARDENING": read_hardening,
 }  # fmt: skip

@@ -17,7 +17,8 @@ def place_instances(deck: AbaqusDeck, assembly: Scope) -> None:
         own = max([*part.nodes, *part.elements, *instance.own.nodes, *instance.own.elements, 0])
         place_one(deck, instance, own)
         if len(deck.mesh.nodes) + len(part.nodes) + len(instance.own.nodes) > MOST_NODES:
-            raise BadInput(instance.place, "the instances have more than 20 million nodes (the limit of the importer): import fewer instances")
+            raise BadInput(instance.place, "the instances have more than 20 million nodes (the limit of the importer): "
+                                           "import fewer instances")
         join(deck.mesh, part, instance)
         join(deck.mesh, instance.own, instance)
         deck.ledger.translated("INSTANCE", instance.place, "a part in its place")
@@ -29,7 +30,8 @@ def place_instances(deck: AbaqusDeck, assembly: Scope) -> None:
 
 
 def place_one(deck: AbaqusDeck, instance: Instance, largest: int) -> None:
-    """Chooses what is added to ids: the least number, with as many zeros as its own ids have digits, above those before."""
+    """Chooses what is added to ids: the least number,
+    with as many zeros as its own ids have digits, above those before."""
     instance.largest = largest
     highest = max([*deck.mesh.nodes, *deck.mesh.elements, 0])
     if not highest or not largest:
@@ -37,6 +39,7 @@ def place_one(deck: AbaqusDeck, instance: Instance, largest: int) -> None:
     unit = 10 ** len(str(largest))
     instance.shift = -(-highest // unit) * unit
     if instance.shift + largest > MOST_ID:
-        raise BadInput(instance.place, f"the ids go beyond {MOST_ID} with those of this instance (the limit of the importer): renumber its part")
+        raise BadInput(instance.place, f"the ids go beyond {MOST_ID} with those of this instance "
+                                       "(the limit of the importer): renumber its part")
     what = f"instance {clip(instance.name)}" if instance.name else "nodes and elements of the assembly"
     deck.ledger.approximated("INSTANCE", instance.place, f"ids of {what} are raised by {instance.shift}")

@@ -1,4 +1,5 @@
-"""Whether what holds or moves a reference node may act on the mass centre of its body instead: where both lie on one line of action."""
+"""Whether what holds or moves a reference node may act on the mass centre of its body instead:
+where both lie on one line of action."""
 
 import math
 
@@ -19,7 +20,8 @@ def find_center(deck: AbaqusDeck, nodes: set[int]) -> Vector | None:
             if not inside:
                 continue
             x = [deck.mesh.nodes[node] for node in corners]
-            volume = shell_area(x) * block.thicknesses.get(id, block.thickness or 0.0) if block.shells else solid_volume(x)
+            volume = (shell_area(x) * block.thicknesses.get(id, block.thickness or 0.0) if block.shells
+                      else solid_volume(x))
             share = volume * block.density / len(corners)
             mass += share * len(inside)
             for d in range(3):
@@ -28,7 +30,8 @@ def find_center(deck: AbaqusDeck, nodes: set[int]) -> Vector | None:
 
 
 def find_lever(deck: AbaqusDeck, group: RigidGroup) -> float:
-    """The largest lever of a direction that is held or moved, about an axis about which the body may turn, over the reach of the body."""
+    """The largest lever of a direction that is held or moved, about an axis about which the body may turn,
+    over the reach of the body."""
     refs = {node for node, _ in group.held.values()}
     center = find_center(deck, group.nodes)
     turns = {direction for direction in group.held if direction.startswith("r")}
@@ -36,5 +39,6 @@ def find_lever(deck: AbaqusDeck, group: RigidGroup) -> float:
         return math.inf
     offset = subtract(deck.mesh.nodes[refs.pop()], center)
     reach = max(sum(c * c for c in subtract(deck.mesh.nodes[node], center)) ** 0.5 for node in group.nodes)
-    pairs = [(d, a) for d in range(3) for a in range(3) if a != d and AXES[d] in group.held and f"r{AXES[3 - d - a]}" not in turns]
+    pairs = [(d, a) for d in range(3)
+             for a in range(3) if a != d and AXES[d] in group.held and f"r{AXES[3 - d - a]}" not in turns]
     return max((abs(offset[a]) / reach for _, a in pairs), default=0.0) if reach > 0 else math.inf

@@ -94,7 +94,8 @@ class BlockReader:
         self._parameters = Parameters()
 
     def read(self) -> Iterator[Block]:
-        """Data lines of an included file, and those behind its *INCLUDE, go on with the keyword that stands before it."""
+        """Data lines of an included file, and those behind its *INCLUDE,
+        go on with the keyword that stands before it."""
         held: Block | None = None
         for block in self._read_file(self._main, self._main, 1):
             if block.keyword:
@@ -105,7 +106,8 @@ class BlockReader:
                 held.lines += [(block.place.line, words) for _, words in block.lines]
             else:
                 words = ", ".join(block.lines[0][1])
-                raise BadInput(block.at(block.lines[0][0]), f"'{clip(words)}' stands before any keyword (a deck begins with one): remove it")
+                raise BadInput(block.at(block.lines[0][0]),
+                               f"'{clip(words)}' stands before any keyword (a deck begins with one): remove it")
         if held:
             yield held
 
@@ -132,11 +134,13 @@ class BlockReader:
                     yield block
                 block = Block(*split_keyword(text), place=Place(shown, number))
                 if not block.keyword:
-                    raise BadInput(block.place, f"'{clip(text)}' has no keyword (one is expected behind '*'): name it, or remove the line")
+                    raise BadInput(block.place, f"'{clip(text)}' has no keyword (one is expected behind '*'): "
+                                                "name it, or remove the line")
             elif block:
                 block.lines.append((number, [word.strip() for word in text.split(",")]))
             else:
-                block = Block("", {}, Place(shown, number), lines=[(number, [word.strip() for word in text.split(",")])])
+                block = Block("", {}, Place(shown, number),
+                              lines=[(number, [word.strip() for word in text.split(",")])])
         if block:
             yield block
 
@@ -149,7 +153,8 @@ class BlockReader:
                                   "(--allow INCLUDE.outside reads it, if you trust the deck)")  # fmt: skip
         self._included += os.path.getsize(path) + SIZE_OF_NONE
         if self._included > MOST_INCLUDED:
-            raise BadInput(place, f"the included files have more than {MOST_INCLUDED >> 30} GiB in all (the limit of the importer): divide the deck")
+            raise BadInput(place, f"the included files have more than {MOST_INCLUDED >> 30} GiB in all "
+                                  "(the limit of the importer): divide the deck")
         self._ledger.files.add(path)
         return path
 
@@ -158,7 +163,8 @@ class BlockReader:
             raise BadInput(block.place, "files include each other too deeply: remove the loop")
         path = self._find(block.options.get("INPUT", ""), block.place)
         self._ledger.translated("INCLUDE", block.place, "the file is read")
-        for found in self._read_file(path, os.path.join(os.path.dirname(self._main), os.path.relpath(path, self._folder)), depth + 1):
+        shown = os.path.join(os.path.dirname(self._main), os.path.relpath(path, self._folder))
+        for found in self._read_file(path, shown, depth + 1):
             yield found if found.keyword else Block("", {}, block.place, lines=found.lines)
         if block.lines:
             yield Block("", {}, block.place, lines=block.lines)
@@ -166,7 +172,8 @@ class BlockReader:
     def _read_data(self, block: Block) -> list[tuple[int, list[str]]]:
         """Data lines of a file of their own."""
         path = self._find(block.options["INPUT"], block.place)
-        lines = [(block.place.line, [word.strip() for word in text.split(",")]) for text in read_lines(path, block.place)]
+        lines = [(block.place.line, [word.strip() for word in text.split(",")])
+                 for text in read_lines(path, block.place)]
         return [line for line in lines if any(line[1]) and not line[1][0].startswith("*")]
 
 

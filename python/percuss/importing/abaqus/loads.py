@@ -22,7 +22,8 @@ Line = tuple[int, list[str]]
 def renew(deck: AbaqusDeck, block: Block) -> None:
     """OP=NEW ends the loads of this kind of the steps before."""
     if block.option("OP") == "NEW" and (block.keyword, block.step) not in deck.renewed:
-        deck.loads.stop([target for target in deck.loads.windows if target[0] == block.keyword], deck.step_of(block).start)
+        deck.loads.stop([target for target in deck.loads.windows if target[0] == block.keyword],
+                        deck.step_of(block).start)
         deck.renewed.add((block.keyword, block.step))
     if block.option("OP") == "NEW" and not block.lines:
         deck.ledger.translated(block.keyword, block.place, ENDS)
@@ -76,25 +77,31 @@ def read_node_force(deck: AbaqusDeck, block: Block) -> None:
         share = SHARE if deck.is_ring else 1.0
         leaders = list_leaders(deck)
         for leader in [node for node in free if node in leaders]:
-            act(deck, block, line, (f"node {leader}", dof), share * block.number(line, 2), write_led_load(deck, leaders[leader], dof, place))
+            act(deck, block, line, (f"node {leader}", dof), share * block.number(line, 2),
+                write_led_load(deck, leaders[leader], dof, place))
         if len(used) < len([node for node in free if node not in leaders]):
-            deck.ledger.refuse("CLOAD.free", place, f"a load on nodes without elements ('{clip(name)}')", "these have no load")
+            deck.ledger.refuse("CLOAD.free", place,
+                               f"a load on nodes without elements ('{clip(name)}')", "these have no load")
         for ref in refs:
-            act(deck, block, line, (f"node {ref}", dof), share * block.number(line, 2), write_body_load(deck, ref, dof, place))
+            act(deck, block, line, (f"node {ref}", dof), share * block.number(line, 2),
+                write_body_load(deck, ref, dof, place))
         if used and deck.is_ring:
             if dof > 2:
                 deck.ledger.refuse("CLOAD.dof", place, f"a load on direction {dof} of axisymmetric elements", LEFT_OUT)
             for number, (group, direction, factor) in enumerate(share_force(deck, used, dof)):
-                act(deck, block, line, (name.upper(), dof, number), factor * block.number(line, 2), write_ring_load(deck, name, group, direction, place))
+                act(deck, block, line, (name.upper(), dof, number), factor * block.number(line, 2),
+                    write_ring_load(deck, name, group, direction, place))
         elif used:
             share = 0.5 if any(node in deck.twins for node in used) else 1.0  # of both planes of plane strain
-            act(deck, block, line, (name.upper(), dof), share * block.number(line, 2), write_node_load(deck, name, used, dof, place))
+            act(deck, block, line, (name.upper(), dof), share * block.number(line, 2),
+                write_node_load(deck, name, used, dof, place))
 
 
 def write_node_load(deck: AbaqusDeck, name: str, nodes: list[int], dof: int, place: Place) -> Callable:
     def write(value: "float | Deck") -> None:
         if dof > 3 and not set(nodes) <= deck.model.turning_nodes():
-            deck.ledger.refuse("CLOAD.moment", place, f"a moment on nodes that have no rotations ('{clip(name)}')", LEFT_OUT)
+            deck.ledger.refuse("CLOAD.moment", place,
+                               f"a moment on nodes that have no rotations ('{clip(name)}')", LEFT_OUT)
             return
         kind = "force" if dof <= 3 else "moment"
         given = deck.node_set_name(name, place)
@@ -116,8 +123,10 @@ def write_led_load(deck: AbaqusDeck, following: Following, dof: int, place: Plac
     """A force on a node without elements acts on those that move equally with it: on one of them."""
 
     def write(value: "float | Deck") -> None:
-        if AXES[dof - 1] not in following.ways[:3] or dof > 3 or (following.nodes[0], AXES[dof - 1]) in deck.motions.windows:
-            deck.ledger.refuse("CLOAD.led", place, "a load on a node without elements, along a direction in which no nodes move with it freely", LEFT_OUT)
+        if (AXES[dof - 1] not in following.ways[:3] or dof > 3
+                or (following.nodes[0], AXES[dof - 1]) in deck.motions.windows):
+            deck.ledger.refuse("CLOAD.led", place, "a load on a node without elements, "
+                                                   "along a direction in which no nodes move with it freely", LEFT_OUT)
             return
         name = deck.model.add_node_set("led", following.nodes[:1])
         list_loads(deck, "nodal").append({"nodes": name, "force": {AXES[dof - 1]: value}})
@@ -130,7 +139,8 @@ def write_body_load(deck: AbaqusDeck, ref: int, dof: int, place: Place) -> Calla
     def write(value: "float | Deck") -> None:
         group = deck.group_of_ref[ref]
         if not group.name:
-            deck.ledger.refuse("CLOAD.wall", place, "a load on an analytical surface that is held or moved", "it has no effect")
+            deck.ledger.refuse("CLOAD.wall", place,
+                               "a load on an analytical surface that is held or moved", "it has no effect")
             return
         kind = "force" if dof <= 3 else "moment"
         at = {"at": list(deck.mesh.nodes[ref])} if dof <= 3 and not group.moves_ref else {}
@@ -173,7 +183,8 @@ def add_gravity(deck: AbaqusDeck, block: Block, line: Line, size: float, axis: l
         def write(value: "float | Deck") -> None:
             gravity = deck.model.deck.setdefault("loads", {}).setdefault("gravity", [0.0, 0.0, 0.0])
             if isinstance(gravity[direction], dict) or isinstance(value, dict) and gravity[direction] != 0:
-                raise BadInput(block.at(line[0]), "two accelerations along one axis, of which one changes (percuss has one): add them up")
+                raise BadInput(block.at(line[0]),
+                               "two accelerations along one axis, of which one changes (percuss has one): add them up")
             gravity[direction] = value if isinstance(value, dict) else gravity[direction] + value
             deck.ledger.translated(block.keyword, block.at(line[0]), what)
 
@@ -202,29 +213,37 @@ def read_gravity(deck: AbaqusDeck, block: Block, line: Line) -> None:
 
 
 def spare_masses(deck: AbaqusDeck, block: Block, line: Line, acceleration: list[float]) -> None:
-    """Gravity of percuss pulls at each mass. Loads hold up the point masses that are not among the elements of the card."""
+    """Gravity of percuss pulls at each mass.
+    Loads hold up the point masses that are not among the elements of the card."""
     inside = set(deck.elements_of(block.text(line, 0), block.at(line[0])))
     for name, mass, place in deck.mesh.masses:
-        nodes = [deck.mesh.elements[id][1][0] for id in deck.elements_of(name, place) if id not in inside and deck.mesh.elements[id][1]]
+        nodes = [deck.mesh.elements[id][1][0]
+                 for id in deck.elements_of(name, place) if id not in inside and deck.mesh.elements[id][1]]
         for node in (node for node in nodes if node in deck.used_nodes() or node in deck.group_of_ref):
             for dof in (dof for dof in (1, 2, 3) if acceleration[dof - 1] and mass):
-                write = write_body_load(deck, node, dof, block.at(line[0])) if node in deck.group_of_ref else write_mass_load(deck, node, dof, block.at(line[0]))
-                act(deck, block, line, ("mass", block.text(line, 0).upper(), name, node, dof), -mass * acceleration[dof - 1], write)
+                write = (write_body_load(deck, node, dof, block.at(line[0])) if node in deck.group_of_ref
+                         else write_mass_load(deck, node, dof, block.at(line[0])))
+                act(deck, block, line, ("mass", block.text(line, 0).upper(), name, node, dof),
+                    -mass * acceleration[dof - 1], write)
 
 
 def write_mass_load(deck: AbaqusDeck, node: int, dof: int, place: Place) -> Callable:
     def write(value: "float | Deck") -> None:
-        list_loads(deck, "nodal").append({"nodes": deck.model.add_node_set(f"mass_{node}", [node]), "force": {AXES[dof - 1]: value}})
-        deck.ledger.translated("DLOAD", place, "loads.nodal against the gravity on a mass that is not among the elements of the card")
+        list_loads(deck, "nodal").append({"nodes": deck.model.add_node_set(f"mass_{node}", [node]),
+                                          "force": {AXES[dof - 1]: value}})
+        deck.ledger.translated("DLOAD", place,
+                               "loads.nodal against the gravity on a mass that is not among the elements of the card")
 
     return write
 
 
 def note_gravity(deck: AbaqusDeck, block: Block, name: str, axis: list[float], place: Place) -> None:
-    """Without OP=NEW a gravity modifies that of a step before: along another direction it is not said what becomes of the latter."""
+    """Without OP=NEW a gravity modifies that of a step before:
+    along another direction it is not said what becomes of the latter."""
     step, before = deck.gravities.get(name, (block.step, axis))
     is_renewed = any(("DLOAD", later) in deck.renewed for later in range(step + 1, block.step + 1))
-    if step < block.step and not is_renewed and max(abs(a * b - c * d) for a, b, c, d in zip(axis, before[1:] + before[:1], axis[1:] + axis[:1], before)) > 1e-9:
+    pairs = zip(axis, before[1:] + before[:1], axis[1:] + axis[:1], before)
+    if step < block.step and not is_renewed and max(abs(a * b - c * d) for a, b, c, d in pairs) > 1e-9:
         text = "gravity along another direction than in a step before, without OP=NEW, which would end that"
         deck.ledger.refuse("DLOAD.GRAV", place, text, "both act")
     deck.gravities[name] = (block.step, axis)
@@ -238,7 +257,8 @@ def read_body_force(deck: AbaqusDeck, block: Block, line: Line, direction: int) 
         deck.ledger.refuse(f"DLOAD.{block.text(line, 1).upper()}", block.at(line[0]), text, LEFT_OUT)
         return
     axis = [float(d == direction) for d in range(3)]
-    add_gravity(deck, block, line, block.number(line, 2) / densities.pop(), axis, "loads.gravity: the force per volume over the density")
+    add_gravity(deck, block, line, block.number(line, 2) / densities.pop(), axis,
+                "loads.gravity: the force per volume over the density")
 
 
 def read_direction(deck: AbaqusDeck, block: Block, line: Line) -> list[float]:
@@ -248,13 +268,16 @@ def read_direction(deck: AbaqusDeck, block: Block, line: Line) -> list[float]:
         raise BadInput(block.at(line[0]), "the direction of the traction is zero: correct it")
     refuse_in_ring(deck, f"{block.keyword}.TRVEC", block.at(line[0]), "a traction on faces")
     if block.option("FOLLOWER") != "NO":
-        deck.ledger.approximated(f"{block.keyword}.TRVEC", block.at(line[0]), "a traction in a fixed direction: it does not turn with its surface")
+        deck.ledger.approximated(f"{block.keyword}.TRVEC", block.at(line[0]),
+                                 "a traction in a fixed direction: it does not turn with its surface")
     if block.option("CONSTANT RESULTANT") != "YES":
-        deck.ledger.approximated(f"{block.keyword}.CONSTANT RESULTANT", block.at(line[0]), "a traction acts on the area at the start")
+        deck.ledger.approximated(f"{block.keyword}.CONSTANT RESULTANT", block.at(line[0]),
+                                 "a traction acts on the area at the start")
     return direction
 
 
-def read_element_pressure(deck: AbaqusDeck, block: Block, line: Line, label: str, direction: list[float] | None = None) -> None:
+def read_element_pressure(deck: AbaqusDeck, block: Block, line: Line, label: str,
+                          direction: list[float] | None = None) -> None:
     """P of shells pushes along their normal, P1 to P6 of solids into the face; with a direction it is a traction."""
     place = block.at(line[0])
     name = deck.add_faces(block.text(line, 0), label, place)
@@ -281,10 +304,13 @@ def read_edge_load(deck: AbaqusDeck, block: Block, line: Line, areas: dict[int, 
     """On edges of plane elements, with the area at each node."""
     label, place = block.text(line, 1).upper(), block.at(line[0])
     if label != "TRVEC":
-        deck.ledger.refuse("DSLOAD.plane", place, "a pressure on edges of plane elements, which turns with them", LEFT_OUT)
+        deck.ledger.refuse("DSLOAD.plane", place,
+                           "a pressure on edges of plane elements, which turns with them", LEFT_OUT)
         return
     name = f"edge_{block.text(line, 0).rpartition('.')[2]}"
-    writer = write_traction(deck, name, areas, read_direction(deck, block, line), lambda: deck.ledger.translated(block.keyword, place, "loads.nodal of the nodes of edges"))
+    writer = write_traction(
+        deck, name, areas, read_direction(deck, block, line),
+        lambda: deck.ledger.translated(block.keyword, place, "loads.nodal of the nodes of edges"))
     act(deck, block, line, (label, block.text(line, 0).upper()), block.number(line, 2), writer)
 
 

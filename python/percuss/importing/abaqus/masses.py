@@ -23,12 +23,15 @@ def read_mass_scaling(deck: AbaqusDeck, block: Block) -> None:
         return
     deck.scaled.add(what)
     if block.step > 1:
-        deck.ledger.refuse(f"{block.keyword}.step", block.place, "mass scaling that begins in a later step", "it acts from the start")
+        deck.ledger.refuse(f"{block.keyword}.step", block.place,
+                           "mass scaling that begins in a later step", "it acts from the start")
     kind = block.option("TYPE") or "UNIFORM"
     if step and kind not in ("BELOW MIN", "UNIFORM"):
-        deck.ledger.refuse(f"{block.keyword}.TYPE", block.place, f"mass scaling of the type {clip(kind)}, which takes mass away too", "mass is added alone")
+        deck.ledger.refuse(f"{block.keyword}.TYPE", block.place,
+                           f"mass scaling of the type {clip(kind)}, which takes mass away too", "mass is added alone")
     elif step and kind == "UNIFORM":
-        deck.ledger.approximated(f"{block.keyword}.TYPE", block.place, "TYPE=UNIFORM scales all elements alike: percuss those below DT alone, with less mass")
+        deck.ledger.approximated(f"{block.keyword}.TYPE", block.place,
+                                 "TYPE=UNIFORM scales all elements alike: percuss those below DT alone, with less mass")
     parts = list_parts(deck, block)
     if factor and factor != 1:
         scale_density(deck, block, parts, factor)
@@ -44,7 +47,8 @@ def list_parts(deck: AbaqusDeck, block: Block) -> list[Part]:
     wanted = set(deck.elements_of(name, block.place))
     touched = [part for part in deck.model.blocks if any(id in wanted for id, _ in part.elements())]
     if any(id not in wanted for part in touched for id, _ in part.elements()):
-        deck.ledger.refuse(f"{block.keyword}.ELSET", block.place, "mass scaling of some elements of a part", "all of the part are scaled")
+        deck.ledger.refuse(f"{block.keyword}.ELSET", block.place, "mass scaling of some elements of a part",
+                           "all of the part are scaled")
     return touched
 
 
@@ -63,7 +67,8 @@ def scale_density(deck: AbaqusDeck, block: Block, parts: list[Part], factor: flo
     used = {keys["material"] for part in deck.model.blocks for keys in list_users(part)}
     for name in [name for name in materials if name not in used]:
         del materials[name]
-    deck.ledger.approximated(f"{block.keyword}.FACTOR", block.place, "FACTOR: the density of the parts times the factor, which counts in gravity too")
+    deck.ledger.approximated(f"{block.keyword}.FACTOR", block.place,
+                             "FACTOR: the density of the parts times the factor, which counts in gravity too")
 
 
 def list_users(part: Part) -> list[Deck]:
@@ -72,7 +77,8 @@ def list_users(part: Part) -> list[Deck]:
 
 
 def add_weight(law: Deck, factor: float) -> Deck:
-    """A law of more density whose stress and temperature follow from its motion as before: what is by mass goes with the density."""
+    """A law of more density whose stress and temperature follow from its motion as before:
+    what is by mass goes with the density."""
     heavy = {**law, "density": law["density"] * factor}
     if "specific_heat" in law:
         heavy["specific_heat"] = law["specific_heat"] / factor
@@ -88,4 +94,6 @@ def set_step(deck: AbaqusDeck, block: Block, parts: list[Part], step: float) -> 
     for part in parts:
         if "rigid" not in part.keys:
             part.keys["mass_scaling"] = {"step": step, "max_added": MOST_ADDED, **every}
-    deck.ledger.approximated(block.keyword, block.place, "mass_scaling of each part, without a limit: DT is that of percuss' bound of an element; the run says at its start how much mass that adds")
+    deck.ledger.approximated(block.keyword, block.place,
+                             "mass_scaling of each part, without a limit: DT is that of percuss' bound of an element; "
+                             "the run says at its start how much mass that adds")

@@ -16,7 +16,8 @@ from .lines import Block
 STRAINED = {"CPE4R": 4, "CPE3": 3}  # of plane strain: corners in their plane, of which extrude() makes solids
 RINGS = {"CAX4R": 4, "CAX3": 3}  # of rotational symmetry, of which turn_rings() makes solids of eight corners
 THICK_SHELL = "SC8R"  # a solid with a section of shells
-SOLIDS = {"C3D8": 8, "C3D8R": 8, THICK_SHELL: 8, "C3D6": 6, "C3D6R": 6, "C3D5": 5, "C3D4": 4, "C3D10": 10, "C3D10M": 10, **{kind: 2 * count for kind, count in STRAINED.items()}, **dict.fromkeys(RINGS, 8)}
+SOLIDS = {"C3D8": 8, "C3D8R": 8, THICK_SHELL: 8, "C3D6": 6, "C3D6R": 6, "C3D5": 5, "C3D4": 4, "C3D10": 10, "C3D10M": 10,
+          **{kind: 2 * count for kind, count in STRAINED.items()}, **dict.fromkeys(RINGS, 8)}
 MEMBRANES = {"M3D4": 4, "M3D4R": 4, "M3D3": 3}
 PLANES = {"CPS4R": 4, "CPS3": 3}  # of plane stress
 RIGID = {"R3D4": 4, "R3D3": 3}  # of rigid bodies, without a section
@@ -105,10 +106,11 @@ class SpringSet:
 
 @dataclass
 class Profile:
-    """*SURFACE, TYPE=REVOLUTION, CYLINDER or SEGMENTS: words of its line with their numbers, in a plane of two directions.
+    """*SURFACE, TYPE=REVOLUTION, CYLINDER or SEGMENTS: words of its line with their numbers,
+    in a plane of two directions.
 
-    `first` and `axis` are the directions of the numbers of a point. A surface of revolution turns about `axis`, others go along
-    the cross product of both.
+    `first` and `axis` are the directions of the numbers of a point. A surface of revolution turns about `axis`, others
+    go along the cross product of both.
     """
 
     place: Place
@@ -131,7 +133,8 @@ class BodyCard:
     surface: str = ""
     profile: str = ""  # an analytical surface
     equal: str = ""  # directions, where the nodes move equally instead
-    terms: list[tuple[str, int, float]] = field(default_factory=list)  # node or set, direction and factor, of an equation
+    # node or set, direction and factor, of an equation
+    terms: list[tuple[str, int, float]] = field(default_factory=list)
     pinned: list[str] = field(default_factory=list)  # nodes whose rotations are free
     at_center: bool = False  # the reference node is moved to the centre
     held: str = ""  # directions that *KINEMATIC couples, where these are not all
@@ -209,9 +212,11 @@ def rotate(p: Vector, a: Vector, b: Vector, degrees: float) -> Vector:
 
 
 def keep_once(known: dict[int, T], lines: Lines, what: str, id: int, found: T, place: Place) -> None:
-    """A node or an element; another one of its id that a line gives is an error. One that is made by rule may be given again."""
+    """A node or an element; another one of its id that a line gives is an error.
+    One that is made by rule may be given again."""
     if known.get(id, found) != found and (first := lines.find(id)):
-        raise BadInput(place, f"{what} {id} is defined twice, and differs (the first is at {first}): renumber or remove one")
+        raise BadInput(place,
+                       f"{what} {id} is defined twice, and differs (the first is at {first}): renumber or remove one")
     known[id] = found
     lines.note(place, id)
 
@@ -223,26 +228,32 @@ def read_elements(scope: Scope, block: Block, find: Callable[[str, Place], int] 
     def id_of(line: tuple[int, list[str]], index: int, is_node: bool) -> int:
         return find(line[1][index], block.at(line[0])) if find and is_node else block.id(line, index)
 
-    count: int = {**NODES_OF_OTHERS, **SOLIDS, **STRAINED, **RINGS, **SHELLS, **COHESIVE, **BEAMS, **SPRINGS}.get(kind, 0)
+    counts = {**NODES_OF_OTHERS, **SOLIDS, **STRAINED, **RINGS, **SHELLS, **COHESIVE, **BEAMS, **SPRINGS}
+    count: int = counts.get(kind, 0)
     lines = iter(block.lines)
     for line in lines:
         values = [id_of(line, i, i > 0) for i in range(len(line[1])) if line[1][i]]
         while values and len(values) - 1 < count:
             more = next(lines, None)
             if more is None:
-                raise BadInput(block.at(line[0]), f"element {values[0]} of *ELEMENT, TYPE={kind} has {len(values) - 1} nodes")
+                raise BadInput(block.at(line[0]),
+                               f"element {values[0]} of *ELEMENT, TYPE={kind} has {len(values) - 1} nodes")
             values += [id_of(more, i, True) for i in range(len(more[1])) if more[1][i]]
         if not values:
             continue
         if kind in {**SOLIDS, **SHELLS, **COHESIVE} and len(values) - 1 > count:
-            raise BadInput(block.at(line[0]), f"element {values[0]} of *ELEMENT, TYPE={kind} has {len(values) - 1} nodes ({count} are expected): correct its lines")
-        keep_once(scope.elements, scope.element_lines, "element", values[0], (kind, tuple(values[1:])), block.at(line[0]))
+            raise BadInput(block.at(line[0]), f"element {values[0]} of *ELEMENT, TYPE={kind} has {len(values) - 1} "
+                                              f"nodes ({count} are expected): correct its lines")
+        keep_once(scope.elements, scope.element_lines, "element", values[0], (kind, tuple(values[1:])),
+                  block.at(line[0]))
         if "ELSET" in block.options:
             scope.element_sets.setdefault(block.option("ELSET"), []).append(values[0])
 
 
-def read_set(scope: Scope, block: Block, sets: dict[str, list[int]], find: Callable[[str, Place], list[int]] | None = None) -> None:
-    """*NSET and *ELSET: ids, names of sets, or GENERATE first, last, step. find: of what is not an id nor a set of the scope."""
+def read_set(scope: Scope, block: Block, sets: dict[str, list[int]],
+             find: Callable[[str, Place], list[int]] | None = None) -> None:
+    """*NSET and *ELSET: ids, names of sets, or GENERATE first, last, step.
+    find: of what is not an id nor a set of the scope."""
     name = block.option("NSET" if block.keyword == "NSET" else "ELSET")
     if not name:
         raise BadInput(block.place, f"*{block.keyword} has no name: add it as an option")
@@ -287,7 +298,8 @@ def read_surface(scope: Scope, block: Block, ledger: Ledger) -> None:
     elif block.option("TYPE") not in ("", "ELEMENT"):
         ledger.refuse("SURFACE.TYPE", block.place, f"a surface of type {clip(block.option('TYPE'))}", "it is left out")
     else:
-        scope.surfaces[name] = [(block.text(line, 0).strip('"').upper(), block.text(line, 1).upper()) for line in block.lines]
+        scope.surfaces[name] = [(block.text(line, 0).strip('"').upper(), block.text(line, 1).upper())
+                                for line in block.lines]
 
 
 def read_instance(block: Block) -> Instance:
@@ -317,18 +329,22 @@ def join(into: Scope, part: Scope, instance: Instance) -> None:
     for name, names in part.node_surfaces.items():
         into.node_surfaces[qualify(name, instance)] = [qualify(where, instance) for where in names]
     into.sections += [
-        replace(section, elements=qualify(section.elements, instance), distribution=qualify(section.distribution, instance),
+        replace(section, elements=qualify(section.elements, instance),
+                distribution=qualify(section.distribution, instance),
                 orientation=name_orientation(section.orientation, part, instance),
-                layers=[replace(layer, orientation=name_orientation(layer.orientation, part, instance)) for layer in section.layers])
+                layers=[replace(layer, orientation=name_orientation(layer.orientation, part, instance))
+                        for layer in section.layers])
         for section in part.sections
     ]  # fmt: skip
-    into.orientations |= {qualify(name, instance): replace(found, axes=turn_axes(found.axes, instance)) for name, found in part.orientations.items()}
+    into.orientations |= {qualify(name, instance): replace(found, axes=turn_axes(found.axes, instance))
+                          for name, found in part.orientations.items()}
     into.springs += [replace(spring, elements=qualify(spring.elements, instance)) for spring in part.springs]
     for name, profile in part.profiles.items():
         into.profiles[qualify(name, instance)] = turn_profile(profile, instance)
     into.bodies += [
         replace(body, ref=qualify(body.ref, instance), elements=qualify(body.elements, instance),
-                nodes=[qualify(name, instance) for name in body.nodes], pinned=[qualify(name, instance) for name in body.pinned], surface=qualify(body.surface, instance),
+                nodes=[qualify(name, instance) for name in body.nodes],
+                pinned=[qualify(name, instance) for name in body.pinned], surface=qualify(body.surface, instance),
                 profile=qualify(body.profile, instance))
         for body in part.bodies
     ]  # fmt: skip
@@ -342,7 +358,8 @@ def join(into: Scope, part: Scope, instance: Instance) -> None:
 
 def turn_profile(profile: Profile, instance: Instance) -> Profile:
     """A profile in the place of its instance."""
-    ends = (tuple(o + a for o, a in zip(profile.origin, profile.axis)), tuple(o + a for o, a in zip(profile.origin, profile.first)))
+    ends = (tuple(o + a for o, a in zip(profile.origin, profile.axis)),
+            tuple(o + a for o, a in zip(profile.origin, profile.first)))
     origin = instance.put(profile.origin)
     axis, first = (tuple(e - o for e, o in zip(instance.put(end), origin)) for end in ends)  # type: ignore[arg-type]
     return replace(profile, origin=origin, axis=axis, first=first)

@@ -17,7 +17,8 @@ UNIT: tuple[Vector, Vector, Vector] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0
 
 
 def read_orientation(scope: Scope, block: Block) -> None:
-    """A point a on x and a point b in the plane of x and y, from the origin or c; then an axis and an angle about it."""
+    """A point a on x and a point b in the plane of x and y, from the origin or c;
+    then an axis and an angle about it."""
     name = block.option("NAME")
     if not name:
         raise BadInput(block.place, "*ORIENTATION has no name: add NAME=")
@@ -34,7 +35,8 @@ def read_orientation(scope: Scope, block: Block) -> None:
         x, y = subtract(a, c), subtract(b, c)  # type: ignore[arg-type]
         z = normalise(cross(x, y))
         if not any(z):
-            raise BadInput(block.at(lines[0][0]), "the points a and b of *ORIENTATION lie on one line with its origin (they give no axes): correct them")
+            raise BadInput(block.at(lines[0][0]), "the points a and b of *ORIENTATION lie on one line with its origin "
+                                                  "(they give no axes): correct them")
         found.axes = normalise(x), normalise(cross(z, x)), z
     if len(lines) > 1:
         found.about, found.angle = block.integer(lines[1], 0, 1), block.number(lines[1], 1)
@@ -62,10 +64,13 @@ def find_orientation(deck: AbaqusDeck, name: str, section: Section, of_shells: b
         raise BadInput(section.place, missing(f"orientation '{clip(name)}'"))
     found = table[name]
     if found.reason:
-        deck.ledger.refuse("ORIENTATION", found.place, f"an orientation with {found.reason}", "the axes are those of space")
+        deck.ledger.refuse("ORIENTATION", found.place, f"an orientation with {found.reason}",
+                           "the axes are those of space")
         return replace(found, axes=UNIT, about=3)
     if of_shells and not found.about:
-        deck.ledger.refuse("ORIENTATION.axis", found.place, "an orientation of shells without its second line, so that its first axis is their normal", "it is read as with '3, 0.'")
+        deck.ledger.refuse("ORIENTATION.axis", found.place,
+                           "an orientation of shells without its second line, so that its first axis is their normal",
+                           "it is read as with '3, 0.'")
         return replace(found, about=3)
     return turn_orientation(found)
 
@@ -83,13 +88,16 @@ def list_shells(deck: AbaqusDeck, section: Section) -> list[tuple[int, tuple[int
 
 
 def find_axis_of_shells(deck: AbaqusDeck, name: str, section: Section, normals: list[Vector]) -> Vector:
-    """The direction that is projected on the shells: the axis behind that of the additional rotation, or without orientation x."""
+    """The direction that is projected on the shells: the axis behind that of the additional rotation,
+    or without orientation x."""
     if name:
         found = find_orientation(deck, name, section, True)
         return found.axes[found.about % 3] if found else UNIT[0]
     along = [abs(normal[0]) > NORMAL for normal in normals]
     if any(along) and not all(along):
-        deck.ledger.refuse(f"{section.kind} SECTION.ORIENTATION", section.place, "shells of one section of which some have the normal x, without an orientation", "x is axis 1 of all")
+        deck.ledger.refuse(f"{section.kind} SECTION.ORIENTATION", section.place,
+                           "shells of one section of which some have the normal x, without an orientation",
+                           "x is axis 1 of all")
     return UNIT[2] if along and all(along) else UNIT[0]
 
 
@@ -97,7 +105,8 @@ def orient(deck: AbaqusDeck, section: Section, law: Deck) -> Deck:
     """An orthotropic law with the axes of a section."""
     shells = list_shells(deck, section)
     if shells:
-        return {**law, "first_axis": list(find_axis_of_shells(deck, section.orientation, section, list_normals(deck.model, shells)))}
+        return {**law, "first_axis": list(find_axis_of_shells(deck, section.orientation, section,
+                                                              list_normals(deck.model, shells)))}
     found = find_orientation(deck, section.orientation, section, False) if section.orientation else None
     if found and law["model"] == "user" and found.axes == UNIT:
         return law
@@ -112,9 +121,12 @@ def read_angles(deck: AbaqusDeck, section: Section) -> list[Layer]:
     for layer in section.layers:
         angle: float | None = layer.angle
         if layer.orientation:
-            main, own = (find_axis_of_shells(deck, name, section, normals) for name in (section.orientation, layer.orientation))
+            main, own = (find_axis_of_shells(deck, name, section, normals)
+                         for name in (section.orientation, layer.orientation))
             angle = find_angle(normals, main, own)
         if angle is None:
-            deck.ledger.refuse(f"{section.keyword}.COMPOSITE", section.place, f"the orientation {clip(layer.orientation)} of a layer, at angles that differ between its shells", "its angle is 0")
+            deck.ledger.refuse(f"{section.keyword}.COMPOSITE", section.place,
+                               f"the orientation {clip(layer.orientation)} of a layer, "
+                               "at angles that differ between its shells", "its angle is 0")
         layers.append(Layer(layer.material, layer.thickness / total, angle or 0.0))
     return layers

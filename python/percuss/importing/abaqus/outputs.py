@@ -11,13 +11,19 @@ from .followers import list_leaders
 from .lines import Block
 
 FIELDS = {  # of a variable, or of its letters
-    "V": "velocity", "S": "stress", "MISES": "von_mises", "MISESMAX": "von_mises", "MISESONLY": "von_mises", "PRESS": "pressure",
-    "PRESSONLY": "pressure", "PEEQ": "equivalent_plastic_strain", "PEEQMAX": "equivalent_plastic_strain", "TEMP": "temperature", "VVF": "void_fraction",
-    "STATUS": "alive", "SDEG": "damage", "DUCTCRT": "damage", "JCCRT": "damage", "SHRCRT": "damage", "DMICRT": "damage", "STH": "thickness",
-    "ENER": "internal_energy", "ELEN": "internal_energy", "SENER": "internal_energy", "CSTRESS": "contact_pressure", "CPRESS": "contact_pressure",
-    "CFORCE": "contact_force", "CNORMF": "contact_force", "CSHEARF": "contact_force", "SF": "section_force", "SM": "section_moment",
+    "V": "velocity", "S": "stress", "MISES": "von_mises", "MISESMAX": "von_mises", "MISESONLY": "von_mises",
+    "PRESS": "pressure",
+    "PRESSONLY": "pressure", "PEEQ": "equivalent_plastic_strain", "PEEQMAX": "equivalent_plastic_strain",
+    "TEMP": "temperature", "VVF": "void_fraction",
+    "STATUS": "alive", "SDEG": "damage", "DUCTCRT": "damage", "JCCRT": "damage", "SHRCRT": "damage", "DMICRT": "damage",
+    "STH": "thickness",
+    "ENER": "internal_energy", "ELEN": "internal_energy", "SENER": "internal_energy", "CSTRESS": "contact_pressure",
+    "CPRESS": "contact_pressure",
+    "CFORCE": "contact_force", "CNORMF": "contact_force", "CSHEARF": "contact_force", "SF": "section_force",
+    "SM": "section_moment",
 }  # fmt: skip
-ALWAYS = {"U": "displacement is always written", "UT": "displacement is always written", "COORD": "places are always written"}
+ALWAYS = {"U": "displacement is always written", "UT": "displacement is always written",
+          "COORD": "places are always written"}
 PRESELECT = {"field": ("S", "PEEQ", "V", "CSTRESS"), "history": ()}
 OF_NODES = ("U", "UT", "UR", "V", "VT", "VR", "A", "AT", "AR", "COORD", "COOR")
 OF_SUPPORTS = ("RF", "RM", "RT")
@@ -52,7 +58,8 @@ def list_words(request: Request, block: Block) -> list[str]:
 
 def add_outputs(deck: AbaqusDeck, requests: list[Request]) -> None:
     """Sections of `output`."""
-    history: Deck = {"every": choose_every(deck, [r for r in requests if not r.is_field], deck.end_time / 1000, deck.end_time / 1e6)}
+    history: Deck = {"every": choose_every(deck, [r for r in requests if not r.is_field], deck.end_time / 1000,
+                                           deck.end_time / 1e6)}
     deck.model.deck["output"] = {"history": history}
     writer = Writer(deck, history)
     asked = [r for r in requests if r.is_field]
@@ -65,7 +72,8 @@ def add_outputs(deck: AbaqusDeck, requests: list[Request]) -> None:
             for word in PRESELECT["field"]:
                 writer.write_field(word, request.block)
             if request.block.option("VARIABLE") == "ALL":
-                deck.ledger.approximated("OUTPUT.VARIABLE", request.block.place, "VARIABLE=ALL: the fields of PRESELECT")
+                deck.ledger.approximated("OUTPUT.VARIABLE", request.block.place,
+                                         "VARIABLE=ALL: the fields of PRESELECT")
         for block in request.followers:
             HANDLERS.get(block.keyword, Writer.lose)(writer, request, block)
             deck.model.origins.note(deck.model, block.keyword, block.place)
@@ -123,10 +131,12 @@ class Writer:
         """Whether the model has what a field is of."""
         blocks, laws = self.deck.model.blocks, self.deck.model.materials.values()
         needs = {
-            "thickness": any(b.shells for b in blocks), "section_force": any(b.beams for b in blocks), "section_moment": any(b.beams for b in blocks),
-            "temperature": any(has(law, "has_temperature") for law in laws), "void_fraction": any(has(law, "has_void_fraction") for law in laws), "damage": any("failure" in law for law in laws),
-            "alive": any("failure" in law or "delete_variable" in law for law in laws), "contact_force": "contact" in self.deck.model.deck,
-            "contact_pressure": "contact" in self.deck.model.deck,
+            "thickness": any(b.shells for b in blocks), "section_force": any(b.beams for b in blocks), "section_moment":
+            any(b.beams for b in blocks), "temperature": any(has(law, "has_temperature") for law in laws),
+            "void_fraction": any(has(law, "has_void_fraction") for law in laws),
+            "damage": any("failure" in law for law in laws),
+            "alive": any("failure" in law or "delete_variable" in law for law in laws),
+            "contact_force": "contact" in self.deck.model.deck, "contact_pressure": "contact" in self.deck.model.deck,
         }  # fmt: skip
         return needs.get(name, True)
 
@@ -159,16 +169,19 @@ class Writer:
             return
         leaders = list_leaders(self.deck)
         ids = [leaders[id].nodes[0] if id in leaders else id for id in self.deck.nodes_of(name, block.place)]
-        bodies = [self.deck.group_of_ref[id] for id in ids if id in self.deck.group_of_ref and id not in self.deck.used_nodes()]
+        bodies = [self.deck.group_of_ref[id]
+                  for id in ids if id in self.deck.group_of_ref and id not in self.deck.used_nodes()]
         if bodies:
-            self.deck.ledger.translated(block.keyword, block.place, "columns of the mass centre of its rigid body in the history (body_x:NAME and so on)")
+            self.deck.ledger.translated(block.keyword, block.place, "columns of the mass centre of its rigid body in "
+                                                                    "the history (body_x:NAME and so on)")
         of_second_plane = set(self.deck.twins.values())  # of plane strain, which move as the first
         ids = [id for id in ids if id in self.deck.used_nodes() and id not in of_second_plane]
         if len(ids) > MOST_FOLLOWED:
             self.deck.ledger.approximated(block.keyword, block.place, f"the first {MOST_FOLLOWED} of {len(ids)} nodes")
         for id in ids[:MOST_FOLLOWED]:
             wish = name if len(ids) == 1 else f"{name}_{id}"
-            self.history.setdefault("nodes", []).append({"name": self.deck.model.names.take(wish.replace(".", "_"), "node"), "id": id})
+            self.history.setdefault("nodes", []).append(
+                {"name": self.deck.model.names.take(wish.replace(".", "_"), "node"), "id": id})
         if ids:
             self.deck.ledger.translated(block.keyword, block.place, "output.history.nodes")
 
@@ -196,13 +209,15 @@ class Writer:
         if rest and not self._holds_some(rest):
             self.deck.ledger.ignored(f"{block.keyword}.RF", block.place, NOT_HELD)
         elif rest:
-            selector = self._name_held(name, rest, block) if not groups else self.deck.model.add_node_set(f"held_{name}".replace(".", "_"), rest)
+            selector = (self._name_held(name, rest, block) if not groups
+                        else self.deck.model.add_node_set(f"held_{name}".replace(".", "_"), rest))
             self._add_force(f"force_{name}", {"support": selector}, block)
 
     def _holds_some(self, ids: list[int]) -> bool:
         """Whether a condition of the deck holds or moves one of these nodes: a rotation only where a node has one."""
         wanted, turning = set(ids) & self.deck.used_nodes(), self.deck.model.turning_nodes()
-        return any(node in wanted and (way in ("x", "y", "z") or node in turning) for node, way in self.deck.motions.windows)
+        return any(node in wanted and (way in ("x", "y", "z") or node in turning)
+                   for node, way in self.deck.motions.windows)
 
     def _add_body_support(self, name: str, ref: int, group: RigidGroup, block: Block) -> None:
         """What holds or moves the body or the wall of a reference node; moments are about its place at time 0."""
@@ -210,19 +225,23 @@ class Writer:
         if wall and any(entry.get("name") == wall for entry in self.deck.model.deck.get("walls", [])):
             self._add_force(f"force_{name}", {"wall": wall}, block)
         elif group.joint:
-            self.deck.ledger.translated(block.keyword, block.place, f"joint_fx:{group.joint} and so on of the history, which the joint at the node always has")
+            self.deck.ledger.translated(block.keyword, block.place, f"joint_fx:{group.joint} and so on of the history, "
+                                                                    "which the joint at the node always has")
         elif not (group.held or group.spells) or not group.nodes:
             self.deck.ledger.ignored(f"{block.keyword}.RF", block.place, NOT_HELD)
         else:
             nodes = self.deck.model.add_node_set(f"held_{name}".replace(".", "_"), group.nodes)
             self._add_force(f"force_{name}", {"support": nodes, "about": list(self.deck.mesh.nodes[ref])}, block)
             if any(motion is not None for way, (_, motion) in group.held.items() if way in ("x", "y", "z")):
-                self.deck.ledger.approximated(f"{block.keyword}.RM", block.place, "moments are about the place of the reference node at time 0")
+                self.deck.ledger.approximated(f"{block.keyword}.RM", block.place,
+                                              "moments are about the place of the reference node at time 0")
 
     def _add_force(self, wish: str, what: Deck, block: Block) -> None:
         forces = self.history.setdefault("forces", [])
-        if len([f for f in forces if "contact" in f or "wall" in f]) >= MOST_FORCES and not {"support", "section"} & what.keys():
-            self.deck.ledger.ignored(f"{block.keyword}.many", block.place, f"percuss has at most {MOST_FORCES} forces of contact")
+        if (len([f for f in forces if "contact" in f or "wall" in f]) >= MOST_FORCES
+                and not {"support", "section"} & what.keys()):
+            self.deck.ledger.ignored(f"{block.keyword}.many", block.place,
+                                     f"percuss has at most {MOST_FORCES} forces of contact")
             return
         forces.append({"name": self.deck.model.names.take(wish.replace(".", "_"), "force"), **what})
         self.deck.ledger.translated(block.keyword, block.place, "output.history.forces")
@@ -241,10 +260,12 @@ class Writer:
             return
         ids = [id for id in self.deck.elements_of(name, block.place) if id in self.deck.blocks_of_elements]
         if len(ids) > MOST_FOLLOWED:
-            self.deck.ledger.approximated(block.keyword, block.place, f"the first {MOST_FOLLOWED} of {len(ids)} elements")
+            self.deck.ledger.approximated(block.keyword, block.place,
+                                          f"the first {MOST_FOLLOWED} of {len(ids)} elements")
         for id in ids[:MOST_FOLLOWED]:
             wish = name if len(ids) == 1 else f"{name}_{id}"
-            self.history.setdefault("elements", []).append({"name": self.deck.model.names.take(wish.replace(".", "_"), "element"), "id": id})
+            self.history.setdefault("elements", []).append(
+                {"name": self.deck.model.names.take(wish.replace(".", "_"), "element"), "id": id})
         self.deck.ledger.translated(block.keyword, block.place, "output.history.elements")
 
     def read_energies(self, request: Request, block: Block) -> None:
@@ -255,8 +276,10 @@ class Writer:
             return
         wanted = set(self.deck.elements_of(name, block.place))
         parts = [part.name for part in self.deck.model.blocks if {id for id, _ in part.elements()} <= wanted]
-        if not parts or sum(len(part.elements()) for part in self.deck.model.blocks if part.name in parts) < len(wanted & self.deck.blocks_of_elements.keys()):
-            self.deck.ledger.ignored(f"{block.keyword}.ELSET", block.place, "energies of a set that is not whole parts are not written")
+        if (not parts or sum(len(part.elements()) for part in self.deck.model.blocks if part.name in parts)
+                < len(wanted & self.deck.blocks_of_elements.keys())):
+            self.deck.ledger.ignored(f"{block.keyword}.ELSET", block.place,
+                                     "energies of a set that is not whole parts are not written")
             return
         known = self.history.setdefault("parts", [])
         known += [part for part in parts if part not in known]
@@ -271,12 +294,15 @@ class Writer:
         for word in words:
             if strip(word) not in OF_CONTACT:
                 self.deck.ledger.ignored(f"{block.keyword}.{clip(word)}", block.place, LOST)
-        if (not words or any(strip(word) in OF_CONTACT for word in words)) and self._once("contact", block.option("SURFACE"), block.option("SECOND SURFACE")):
+        if ((not words or any(strip(word) in OF_CONTACT for word in words))
+                and self._once("contact", block.option("SURFACE"), block.option("SECOND SURFACE"))):
             self._add_contact(block)
 
     def _add_contact(self, block: Block) -> None:
         """Of two surfaces, of one, of each pair, or of each part with all others."""
-        deck, names = self.deck, [block.option(word) for word in ("SURFACE", "SECOND SURFACE", "MASTER", "SLAVE", "NSET") if block.option(word)]
+        deck, names = (self.deck,
+                       [block.option(word)
+                        for word in ("SURFACE", "SECOND SURFACE", "MASTER", "SLAVE", "NSET") if block.option(word)])
         pairs: list[tuple[str, str]] = []
         if names and not any(deck.is_of_nodes(name) for name in names[:2]):
             sides = [deck.surface_name(name, block.place, of_contact=True) for name in names[:2]]
@@ -303,4 +329,5 @@ HANDLERS: dict[str, Callable[[Writer, Request, Block], None]] = {
     "NODE OUTPUT": Writer.read_nodes, "ELEMENT OUTPUT": Writer.read_elements, "ENERGY OUTPUT": Writer.read_energies,
     "CONTACT OUTPUT": Writer.read_contact,
 }  # fmt: skip
-FOLLOWERS = {*HANDLERS, "INTEGRATED OUTPUT", "INCREMENTATION OUTPUT", "RADIATION OUTPUT", "SURFACE OUTPUT", "MODAL OUTPUT"}
+FOLLOWERS = {*HANDLERS, "INTEGRATED OUTPUT", "INCREMENTATION OUTPUT", "RADIATION OUTPUT", "SURFACE OUTPUT",
+             "MODAL OUTPUT"}

@@ -17,13 +17,14 @@ Value = float | int | str
 MOST_POWER, LONGEST = 1000.0, 1000  # so that a deck cannot ask for numbers without end
 NAME = re.compile(r"<\s*([A-Za-z_]\w*)\s*>")
 FUNCTIONS: dict[str, Callable] = {
-    "abs": abs, "acos": math.acos, "asin": math.asin, "atan": math.atan, "cos": math.cos, "exp": math.exp, "float": float, "int": int,
-    "log": math.log, "log10": math.log10, "max": max, "min": min, "pow": lambda a, b: power(a, b), "round": round, "sin": math.sin,
-    "sqrt": math.sqrt, "tan": math.tan,
+    "abs": abs, "acos": math.acos, "asin": math.asin, "atan": math.atan, "cos": math.cos, "exp": math.exp,
+    "float": float, "int": int, "log": math.log, "log10": math.log10, "max": max, "min": min,
+    "pow": lambda a, b: power(a, b), "round": round, "sin": math.sin, "sqrt": math.sqrt, "tan": math.tan,
 }  # fmt: skip
 OPERATORS: dict[type, Callable] = {
-    ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv, ast.FloorDiv: operator.floordiv,
-    ast.Mod: operator.mod, ast.Pow: lambda a, b: power(a, b), ast.USub: operator.neg, ast.UAdd: operator.pos,
+    ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv,
+    ast.FloorDiv: operator.floordiv, ast.Mod: operator.mod, ast.Pow: lambda a, b: power(a, b), ast.USub: operator.neg,
+    ast.UAdd: operator.pos,
 }  # fmt: skip
 
 
@@ -65,7 +66,8 @@ class Parameters:
             if not isinstance(value, str) and not math.isfinite(value):
                 raise ValueError("it has no bounds")
         except (SyntaxError, ArithmeticError, ValueError, TypeError, RecursionError, MemoryError) as error:
-            raise BadInput(place, f"'{clip(text)}' has no value ({clip(str(error), 80)}): correct the expression") from None
+            raise BadInput(place,
+                           f"'{clip(text)}' has no value ({clip(str(error), 80)}): correct the expression") from None
         return value
 
     def _reduce(self, node: ast.AST, place: Place) -> Value:
@@ -77,7 +79,8 @@ class Parameters:
             return OPERATORS[type(node.op)](self._number(node.operand, place))
         if isinstance(node, ast.BinOp) and type(node.op) in OPERATORS:
             return OPERATORS[type(node.op)](self._number(node.left, place), self._number(node.right, place))
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id.lower() in FUNCTIONS and not node.keywords:
+        if (isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id.lower() in FUNCTIONS
+                and not node.keywords):
             return FUNCTIONS[node.func.id.lower()](*(self._number(value, place) for value in node.args))
         raise ValueError("only numbers, parameters, + - * / % ** and functions of one name are read")
 

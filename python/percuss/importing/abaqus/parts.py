@@ -35,7 +35,8 @@ def build_parts(deck: AbaqusDeck) -> None:
             if section.kind == "SHELL":
                 build_part(deck, section, number, "", found[section.layers[0].material][1], found)
                 continue
-            deck.ledger.refuse(f"{section.keyword}.COMPOSITE", section.place, "layers of several materials or angles", "its elements are left out")
+            deck.ledger.refuse(f"{section.keyword}.COMPOSITE", section.place, "layers of several materials or angles",
+                               "its elements are left out")
             main = None
         if main:
             build_part(deck, section, number, *main, {})
@@ -58,11 +59,13 @@ def build_parts(deck: AbaqusDeck) -> None:
 
 
 def find_laws(deck: AbaqusDeck, section: Section, made: dict[str, Deck | None]) -> "dict[str, tuple[str, Deck]] | None":
-    """Names and laws of the materials of a section, by their names there; None where one is refused. made: those of sections before."""
+    """Names and laws of the materials of a section, by their names there; None where one is refused.
+    made: those of sections before."""
     found: dict[str, tuple[str, Deck]] = {}
     for material in dict.fromkeys([layer.material for layer in section.layers] or [section.material]):
         if material not in made:
-            made[material] = read_general_law(section) if section.general else translate_material(deck, material, section.place)
+            made[material] = (read_general_law(section) if section.general
+                              else translate_material(deck, material, section.place))
         law = made[material]
         if law is None or not may_be_used(deck, section, material, law):
             return None
@@ -88,11 +91,13 @@ def name_law(deck: AbaqusDeck, material: str, law: Deck) -> str:
 def may_be_used(deck: AbaqusDeck, section: Section, material: str, law: Deck) -> bool:
     """Axes in rings, and solids of plies, are refused."""
     if (has_axes(law) or (law["model"] == "user" and section.orientation)) and deck.is_ring:
-        deck.ledger.refuse(f"{section.kind} SECTION.axisymmetric", section.place, "axes of a material in axisymmetric elements", "they are those of space")
+        deck.ledger.refuse(f"{section.kind} SECTION.axisymmetric", section.place,
+                           "axes of a material in axisymmetric elements", "they are those of space")
     if not has_axes(law) or section.kind in ("SHELL", "MEMBRANE"):
         return True
     if section.kind != "SOLID":
-        deck.ledger.refuse(f"{section.kind} SECTION.MATERIAL", section.place, "beams of an orthotropic material", "they are left out")
+        deck.ledger.refuse(f"{section.kind} SECTION.MATERIAL", section.place,
+                           "beams of an orthotropic material", "they are left out")
         return False
     return law["model"] != "orthotropic" or not refuse_solids(deck, section, material, law)
 
@@ -109,11 +114,13 @@ def one_layer(deck: AbaqusDeck, section: Section, found: "dict[str, tuple[str, D
     return True
 
 
-def build_part(deck: AbaqusDeck, section: Section, number: int, material: str, law: Deck, plies: "dict[str, tuple[str, Deck]]") -> None:
+def build_part(deck: AbaqusDeck, section: Section, number: int, material: str, law: Deck,
+               plies: "dict[str, tuple[str, Deck]]") -> None:
     """plies: laws of its layers, where these differ."""
     wish = section.elements.rpartition(".")[0] or section.elements
     part = Part(
-        number, number, deck.model.names.take(wish, "part"), section.place, density=law["density"], keys={"material": material}
+        number, number, deck.model.names.take(wish, "part"), section.place, density=law["density"],
+        keys={"material": material}
     )
     for id in deck.elements_of(section.elements, section.place):
         if id not in deck.mesh.elements:
@@ -132,7 +139,8 @@ def build_part(deck: AbaqusDeck, section: Section, number: int, material: str, l
     if part.shells and plies:
         lay_up(deck, section, part, plies)
     if sum(1 for elements in (part.solids, part.shells, part.beams) if elements) > 1:
-        raise BadInput(section.place, "this section has solids, shells or beams together (a part has one kind): divide its element set")
+        raise BadInput(section.place, "this section has solids, shells or beams together (a part has one kind): "
+                                      "divide its element set")
     if part.beams and not add_beam_keys(deck, section, part, law):
         return
     if part.elements():
@@ -143,7 +151,8 @@ def build_part(deck: AbaqusDeck, section: Section, number: int, material: str, l
 
 
 def add_controls(deck: AbaqusDeck, section: Section, part: Part) -> None:
-    """Hourglass control of hexahedra, and factors of viscosity, of *SECTION CONTROLS. A fluid does not resist by default."""
+    """Hourglass control of hexahedra, and factors of viscosity, of *SECTION CONTROLS.
+    A fluid does not resist by default."""
     if part.solids and deck.model.materials[part.keys["material"]]["model"] == "fluid":
         part.keys["hourglass"] = "viscous"
     if not section.controls:
@@ -152,23 +161,29 @@ def add_controls(deck: AbaqusDeck, section: Section, part: Part) -> None:
     if block is None:
         raise BadInput(section.place, missing(f"*SECTION CONTROLS '{clip(section.controls)}'"))
     kind = block.option("HOURGLASS")
-    ours = {"ENHANCED": "assumed_strain", "STIFFNESS": "stiffness", "RELAX STIFFNESS": "stiffness", "COMBINED": "stiffness", "VISCOUS": "viscous"}
+    ours = {"ENHANCED": "assumed_strain", "STIFFNESS": "stiffness", "RELAX STIFFNESS": "stiffness",
+            "COMBINED": "stiffness", "VISCOUS": "viscous"}
     if kind and kind not in ours:
         raise BadInput(block.place, f"HOURGLASS={clip(kind)} of *SECTION CONTROLS is not known: correct it")
     line = block.lines[0] if block.lines else (block.place.line, [])
     if block.option("ELEMENT DELETION") == "NO" and "failure" in deck.model.materials[part.keys["material"]]:
-        deck.ledger.refuse("SECTION CONTROLS.ELEMENT DELETION", block.place, "failed elements that stay", "they are removed")
+        deck.ledger.refuse("SECTION CONTROLS.ELEMENT DELETION", block.place,
+                           "failed elements that stay", "they are removed")
     most = block.option("MAX DEGRADATION")
-    if most and block.number((block.place.line, [most]), 0) < LEAST_DEGRADATION and "failure" in deck.model.materials[part.keys["material"]]:
-        deck.ledger.refuse("SECTION CONTROLS.MAX DEGRADATION", block.place, "failed elements that keep a part of their stiffness", "they keep none")
+    if (most and block.number((block.place.line, [most]), 0) < LEAST_DEGRADATION
+            and "failure" in deck.model.materials[part.keys["material"]]):
+        deck.ledger.refuse("SECTION CONTROLS.MAX DEGRADATION", block.place,
+                           "failed elements that keep a part of their stiffness", "they keep none")
     if kind and part.solids and section.kind == "SHELL":
         deck.ledger.ignored("SECTION CONTROLS.HOURGLASS", block.place, "thick shells have no hourglass modes")
     elif kind and part.solids and any(len(set(corners)) == 8 for _, corners in part.solids):
         part.keys["hourglass"] = ours[kind]
-        deck.ledger.approximated("SECTION CONTROLS", block.place, "hourglass control of its kind, with the coefficient of percuss")
+        deck.ledger.approximated("SECTION CONTROLS", block.place,
+                                 "hourglass control of its kind, with the coefficient of percuss")
     factors = [block.number(line, i, 1.0) for i in range(5)]
     if factors[:3] != [1.0, 1.0, 1.0]:
-        deck.ledger.approximated("SECTION CONTROLS.scale", block.place, "factors of hourglass control are left out: percuss has coefficients of its own")
+        deck.ledger.approximated("SECTION CONTROLS.scale", block.place,
+                                 "factors of hourglass control are left out: percuss has coefficients of its own")
     if part.solids and factors[3:] != [1.0, 1.0]:
         part.keys["bulk_viscosity"] = {"linear": 0.06 * factors[3], "quadratic": 1.2 * factors[4]}
         deck.ledger.translated("SECTION CONTROLS", block.place, "bulk_viscosity of the part")
@@ -202,14 +217,17 @@ def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: 
     """A solid, a shell or a beam; anything else is refused."""
     if kind in BEAMS and (kind == "T3D2") == (section.kind == "SOLID"):
         if len(corners) > 2:
-            deck.ledger.refuse("ELEMENT.B31", section.place, "beams with a node that turns the section", "n1 of the section is used")
+            deck.ledger.refuse("ELEMENT.B31", section.place, "beams with a node that turns the section",
+                               "n1 of the section is used")
         part.beams.append((id, corners[:2]))
-    elif kind in SHELLS and kind not in RIGID and len(corners) == SHELLS[kind] and (kind in PLANES) == (section.kind == "SOLID"):
+    elif (kind in SHELLS and kind not in RIGID and len(corners) == SHELLS[kind]
+          and (kind in PLANES) == (section.kind == "SOLID")):
         if kind in PLANES:
             take_plane(deck, section, part, kind)
         if kind in MEMBRANES:
             part.keys["integration"] = "membrane"
-            deck.ledger.translated(f"ELEMENT.{kind}", section.place, "integration: membrane of the part, with one point in the plane")
+            deck.ledger.translated(f"ELEMENT.{kind}", section.place,
+                                   "integration: membrane of the part, with one point in the plane")
         part.shells.append((id, corners))
     elif kind == THICK_SHELL and section.kind == "SHELL" and len(set(corners)) == len(corners):
         part.solids.append((id, corners))
@@ -217,7 +235,8 @@ def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: 
         part.solids.append((id, corners))
         deck.blocks_of_elements[id] = len(deck.model.blocks)
         if SOLIDS[kind] == 10:
-            deck.ledger.approximated(f"ELEMENT.{kind}", section.place, "tetrahedra of ten nodes are cut into eight of four")
+            deck.ledger.approximated(f"ELEMENT.{kind}", section.place,
+                                     "tetrahedra of ten nodes are cut into eight of four")
         if SOLIDS[kind] != 8:  # have one point, whatever hexahedra have
             return
         integration = "full" if kind == "C3D8" else "one_point"
@@ -225,12 +244,15 @@ def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: 
         counts[integration] += 1
     elif SOLIDS.get(kind) == 8 and kind != THICK_SHELL and (solid := collapse(list(corners))) is not None:
         part.solids.append((id, solid))
-        deck.ledger.translated("ELEMENT.degenerate", section.place, f"hexahedra with collapsed edges are {NAMES[len(solid)]}")
+        deck.ledger.translated("ELEMENT.degenerate", section.place,
+                               f"hexahedra with collapsed edges are {NAMES[len(solid)]}")
     else:
-        how = " whose corners fall together in another way than those of wedges, pyramids and tetrahedra" if kind in SOLIDS else ""
+        how = (" whose corners fall together in another way than those of wedges, pyramids and tetrahedra"
+               if kind in SOLIDS else "")
         if kind == THICK_SHELL:
             how = " with another section than one of shells, or with a node twice"
-        deck.ledger.refuse(f"ELEMENT.{kind}", section.place, f"elements {kind or 'without TYPE'}{how}", "they are left out")
+        deck.ledger.refuse(f"ELEMENT.{kind}", section.place,
+                           f"elements {kind or 'without TYPE'}{how}", "they are left out")
         deck.left_elements.add(id)
         return
     deck.blocks_of_elements[id] = len(deck.model.blocks)
@@ -248,13 +270,15 @@ def choose_integration(deck: AbaqusDeck) -> None:
         kind = counts.most_common(1)[0][0]
         if len(counts) > 1:
             deck.ledger.refuse(
-                "ELEMENT.mixed", deck.model.blocks[block].place, "C3D8 and C3D8R in one section", f"all of the part are {kind}"
+                "ELEMENT.mixed", deck.model.blocks[block].place, "C3D8 and C3D8R in one section",
+                f"all of the part are {kind}"
             )
         part = deck.model.blocks[block]
         if kind != chosen:
             part.keys["integration"] = kind
         if kind == "full" and part.keys.pop("hourglass", "") and deck.controls:
-            deck.ledger.ignored("SECTION CONTROLS.HOURGLASS", part.place, "hexahedra of eight points have no hourglass modes")
+            deck.ledger.ignored("SECTION CONTROLS.HOURGLASS", part.place,
+                                "hexahedra of eight points have no hourglass modes")
 
 
 def add_masses(deck: AbaqusDeck) -> None:

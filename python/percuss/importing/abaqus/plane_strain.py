@@ -1,4 +1,5 @@
-"""Elements of plane strain: hexahedra and wedges with one layer, as thick as their section says, whose nodes stay in their planes."""
+"""Elements of plane strain: hexahedra and wedges with one layer, as thick as their section says,
+whose nodes stay in their planes."""
 
 from ..ledger import Place
 from .deck import AbaqusDeck
@@ -23,10 +24,13 @@ def extrude(deck: AbaqusDeck) -> None:
             x, y, z = mesh.nodes[node]
             twin = (x, y, z + thickness)
             if mesh.nodes.setdefault(node + raised, twin) != twin:
-                deck.ledger.refuse(f"ELEMENT.{kind}", place, "elements of plane strain that share nodes and differ in thickness", "they have that of the first of them")
+                deck.ledger.refuse(f"ELEMENT.{kind}", place,
+                                   "elements of plane strain that share nodes and differ in thickness",
+                                   "they have that of the first of them")
             deck.twins[node] = node + raised
         mesh.elements[id] = (kind, (*corners, *(node + raised for node in corners)))
-        deck.ledger.approximated(f"ELEMENT.{kind}", place, "plane strain: solids with one layer along z, whose nodes stay in their planes")
+        deck.ledger.approximated(f"ELEMENT.{kind}", place,
+                                 "plane strain: solids with one layer along z, whose nodes stay in their planes")
     refuse_others(deck)
 
 
@@ -35,7 +39,8 @@ def list_thicknesses(deck: AbaqusDeck) -> dict[int, tuple[float, Place]]:
     found: dict[int, tuple[float, Place]] = {}
     for section in deck.mesh.sections:
         if section.kind == "SOLID":
-            ids = [id for id in deck.elements_of(section.elements, section.place) if deck.mesh.elements.get(id, ("",))[0] in STRAINED]
+            ids = [id for id in deck.elements_of(section.elements, section.place)
+                   if deck.mesh.elements.get(id, ("",))[0] in STRAINED]
             found.update(dict.fromkeys(ids, (section.area or 1.0, section.place)))
     return found
 
@@ -44,7 +49,8 @@ def refuse_others(deck: AbaqusDeck) -> None:
     """What hangs on one of the two nodes alone would pull it out of its plane."""
     for kind, corners in deck.mesh.elements.values():
         if kind in OTHERS and any(corner in deck.twins for corner in corners) and deck.mesh.place:
-            deck.ledger.refuse("ELEMENT.plane_strain", deck.mesh.place, f"elements {kind} on nodes of plane strain", "they act on one of the two planes of nodes")
+            deck.ledger.refuse("ELEMENT.plane_strain", deck.mesh.place, f"elements {kind} on nodes of plane strain",
+                               "they act on one of the two planes of nodes")
 
 
 def hold_layers(deck: AbaqusDeck) -> None:

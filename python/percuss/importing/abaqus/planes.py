@@ -1,4 +1,5 @@
-"""Elements of plane stress: shells with one point through their thickness, which stay in their plane; loads on their edges."""
+"""Elements of plane stress: shells with one point through their thickness,
+which stay in their plane; loads on their edges."""
 
 from collections.abc import Callable
 
@@ -15,7 +16,8 @@ def take_plane(deck: AbaqusDeck, section: Section, part: Part, kind: str) -> Non
     """The data line of *SOLID SECTION is the thickness, 1 where it is blank."""
     section.points, section.thickness = 1, section.area or 1.0
     part.is_plane = True
-    deck.ledger.approximated(f"ELEMENT.{kind}", section.place, "plane stress: shells with one point through their thickness, which stay in their plane")
+    deck.ledger.approximated(f"ELEMENT.{kind}", section.place,
+                             "plane stress: shells with one point through their thickness, which stay in their plane")
 
 
 def hold_planes(deck: AbaqusDeck) -> None:
@@ -24,11 +26,13 @@ def hold_planes(deck: AbaqusDeck) -> None:
         if part.is_plane:
             deck.model.add("conditions", {"nodes": part.name, "fixed": ["z"]})
             if deck.generals or deck.pairs:
-                deck.ledger.refuse("ELEMENT.contact", part.place, "contact of plane elements", "their faces touch, not their edges")
+                deck.ledger.refuse("ELEMENT.contact", part.place, "contact of plane elements",
+                                   "their faces touch, not their edges")
 
 
 def list_edges(deck: AbaqusDeck, name: str, place: Place) -> dict[int, float] | None:
-    """Of a surface of plane elements: half of the area of its edges at each node. None where it is of other elements."""
+    """Of a surface of plane elements: half of the area of its edges at each node.
+    None where it is of other elements."""
     sides = deck.resolve(deck.mesh.surfaces, name, place, "surface")
     areas: dict[int, float] = {}
     is_plane, known = False, set()
@@ -49,11 +53,13 @@ def list_edges(deck: AbaqusDeck, name: str, place: Place) -> dict[int, float] | 
             (xa, ya, _), (xb, yb, _) = deck.mesh.nodes[a], deck.mesh.nodes[b]
             part = deck.model.blocks[deck.blocks_of_elements[id]]
             for node in (a, b):
-                areas[node] = areas.get(node, 0.0) + 0.5 * ((xb - xa) ** 2 + (yb - ya) ** 2) ** 0.5 * (part.thickness or 1.0)
+                areas[node] = (areas.get(node, 0.0)
+                               + 0.5 * ((xb - xa) ** 2 + (yb - ya) ** 2) ** 0.5 * (part.thickness or 1.0))
     return areas if is_plane else None
 
 
-def write_traction(deck: AbaqusDeck, name: str, areas: dict[int, float], direction: list[float], done: Callable[[], None]) -> Callable:
+def write_traction(deck: AbaqusDeck, name: str, areas: dict[int, float], direction: list[float],
+                   done: Callable[[], None]) -> Callable:
     """A traction on edges: forces on their nodes, by the area at the start."""
     length = sum(c * c for c in direction) ** 0.5
 

@@ -39,7 +39,8 @@ def read_row(deck: AbaqusDeck, block: Block, count: int) -> list[float]:
     lines = [line for line in block.lines if any(line[1])]
     needed = -(-count // PER_LINE)
     if len(lines) < needed:
-        raise BadInput(block.place, f"*ELASTIC, TYPE={clip(block.option('TYPE'))} needs {count} constants, eight in a line: add them")
+        raise BadInput(block.place, f"*ELASTIC, TYPE={clip(block.option('TYPE'))} needs {count} constants, "
+                                    "eight in a line: add them")
     if len(lines) > needed:
         deck.ledger.refuse("ELASTIC", block.place, "moduli that depend on the temperature", "the first row is used")
     return [block.number(lines[i // PER_LINE], i % PER_LINE) for i in range(count)]
@@ -61,10 +62,12 @@ def refuse_solids(deck: AbaqusDeck, section: Section, material: str, law: Deck) 
     """Whether solids of a ply are refused: its elasticity is of a plane, or it has strengths."""
     elastic = next(block for block in deck.materials[material.upper()].parts if block.keyword == "ELASTIC")
     if elastic.option("TYPE") == "LAMINA":
-        deck.ledger.refuse("ELASTIC.LAMINA", section.place, "solids with the elasticity of a plane, TYPE=LAMINA", "they are left out")
+        deck.ledger.refuse("ELASTIC.LAMINA", section.place,
+                           "solids with the elasticity of a plane, TYPE=LAMINA", "they are left out")
         return True
     if "failure" in law:
-        deck.ledger.refuse("DAMAGE INITIATION.solids", section.place, "Hashin's criteria of solids (percuss has them for shells)", "they are left out")
+        deck.ledger.refuse("DAMAGE INITIATION.solids", section.place,
+                           "Hashin's criteria of solids (percuss has them for shells)", "they are left out")
         return True
     return False
 
@@ -73,19 +76,26 @@ def add_hashin(deck: AbaqusDeck, law: Deck, start: Block, ends: list[Block]) -> 
     """XT XC YT YC SL ST, and an energy of the cracks of each kind. Returns whether elements are removed."""
     lines, more = ([line for line in block.lines if any(line[1])] for block in (start, ends[0]))
     if law["model"] != "orthotropic":
-        raise BadInput(start.place, "Hashin's criteria need an *ELASTIC with fibres: add TYPE=LAMINA or ENGINEERING CONSTANTS")
-    if ends[0].option("TYPE") != "ENERGY" or ends[0].option("SOFTENING") not in ("", "LINEAR") or len(lines) != 1 or len(more) != 1:
-        deck.ledger.refuse("DAMAGE EVOLUTION", ends[0].place, "Hashin's criteria with damage other than by four energies, or for several temperatures", "there is no failure")
+        raise BadInput(start.place,
+                       "Hashin's criteria need an *ELASTIC with fibres: add TYPE=LAMINA or ENGINEERING CONSTANTS")
+    if (ends[0].option("TYPE") != "ENERGY" or ends[0].option("SOFTENING") not in ("", "LINEAR") or len(lines) != 1
+            or len(more) != 1):
+        deck.ledger.refuse("DAMAGE EVOLUTION", ends[0].place,
+                           "Hashin's criteria with damage other than by four energies, or for several temperatures",
+                           "there is no failure")
         return False
     strengths = [start.number(lines[0], i) for i in range(6)]
     energies = [ends[0].number(more[0], i) for i in range(4)]
     if min(strengths) <= 0 or min(energies) < 0:
-        raise BadInput(start.place, "a strength of Hashin's criteria is not positive, or an energy negative: correct it")
+        raise BadInput(start.place,
+                       "a strength of Hashin's criteria is not positive, or an energy negative: correct it")
     share = start.number((start.place.line, [start.options.get("ALPHA", "")]), 0)
     names = ("fibre_tension", "fibre_compression", "matrix_tension", "matrix_compression", "shear", "transverse_shear")
     law.update(zip(names, strengths))
     law.update({"shear_in_fibre_tension": share} if share else {})
     law.update({name: value for name, value in zip(ENERGIES, energies) if value})
-    deck.ledger.translated("DAMAGE INITIATION", start.place, "strengths of plies by Hashin's criteria; an element is removed when the fibres of all plies have failed")
-    deck.ledger.approximated("DAMAGE EVOLUTION", ends[0].place, "energies of cracks: each mode by its own load, over the length of the element across the crack")
+    deck.ledger.translated("DAMAGE INITIATION", start.place, "strengths of plies by Hashin's criteria; an element is "
+                                                             "removed when the fibres of all plies have failed")
+    deck.ledger.approximated("DAMAGE EVOLUTION", ends[0].place, "energies of cracks: each mode by its own load, "
+                                                                "over the length of the element across the crack")
     return True

@@ -7,11 +7,14 @@ from ..fields import clip
 from ..ledger import BadInput, Ledger, Place, Status
 from ..model import Model
 from ..text_files import suggest, suggest_place
-from . import bodies, cohesive, conditions, contact, damage, embedded, equations, general_contact, generators, heat, initial, loads, outputs, surfaces
+from . import bodies, conditions, contact, equations, general_contact, generators, heat, initial, loads, outputs
 from .amplitudes import read_amplitude
 from .assembly import read_assembly
 from .axisymmetric import hold_rings, turn_rings
+from .cohesive import add_layers
+from .damage import finish_failure
 from .deck import AbaqusDeck, MaterialBlocks
+from .embedded import read_embedded
 from .instances import place_instances
 from .lines import Block, BlockReader
 from .masses import read_mass_scaling
@@ -23,6 +26,7 @@ from .plane_strain import extrude, hold_layers
 from .planes import hold_planes
 from .section_cards import read_distribution, read_section, read_transverse_shear
 from .springs import add_springs, read_spring
+from .surfaces import KINDS, read_profile
 from .tables import TABLES, finish_tables
 from .timeline import StepTime
 from .unused import last_line, note_definitions
@@ -34,12 +38,15 @@ Handler = Callable[[AbaqusDeck, Block], None]
 ROUGH = 100.0  # coefficient of friction without slip
 OF_PRINTING = "output that is printed or kept for a restart, not physics"
 IGNORED = {
-    **dict.fromkeys(("PREPRINT", "MONITOR", "FILE OUTPUT", "NODE PRINT", "EL PRINT", "ENERGY PRINT", "CONTACT PRINT", "NODE FILE",
-                     "EL FILE", "ENERGY FILE", "CONTACT FILE", "DIAGNOSTICS", "FILTER", "TIME POINTS", "FILE FORMAT", "PRINT", "CONSTRAINT CONTROLS",
-                     "PREFERENCE", "VALIDATE", "INCREMENTATION OUTPUT"), OF_PRINTING),
-    "CONTACT CONTROLS": "numerics of contact: percuss has its own", "CONTACT CONTROLS ASSIGNMENT": "numerics of contact: percuss has its own",
+    **dict.fromkeys(("PREPRINT", "MONITOR", "FILE OUTPUT", "NODE PRINT", "EL PRINT", "ENERGY PRINT", "CONTACT PRINT",
+                     "NODE FILE", "EL FILE", "ENERGY FILE", "CONTACT FILE", "DIAGNOSTICS", "FILTER", "TIME POINTS",
+                     "FILE FORMAT", "PRINT", "CONSTRAINT CONTROLS", "PREFERENCE", "VALIDATE", "INCREMENTATION OUTPUT"),
+                    OF_PRINTING),
+    "CONTACT CONTROLS": "numerics of contact: percuss has its own",
+    "CONTACT CONTROLS ASSIGNMENT": "numerics of contact: percuss has its own",
     "END STEP": "the end of the step", "SURFACE BEHAVIOR": "contact is hard, and may part",
-    "CONTACT FORMULATION": "contact works both ways", "CONTACT INITIALIZATION ASSIGNMENT": "overlaps at the start stay without force",
+    "CONTACT FORMULATION": "contact works both ways",
+    "CONTACT INITIALIZATION ASSIGNMENT": "overlaps at the start stay without force",
     "CONTACT INITIALIZATION DATA": "overlaps at the start stay without force",
     "DISTRIBUTION TABLE": "units of distributions", "CONSTRAINT": "a name",
     "PHYSICAL CONSTANTS": "constants of radiation and of gases: the laws that are read have none",
@@ -48,8 +55,9 @@ IGNORED = {
 
 # Where what follows belongs.
 FRAMES = {
-    "PART": "its mesh and sets, where an instance has it", "ASSEMBLY": "the instances with their sets", "END PART": "the end of the part",
-    "END ASSEMBLY": "the end of the assembly", "END INSTANCE": "the end of the instance", "STEP": "when what it holds acts",
+    "PART": "its mesh and sets, where an instance has it", "ASSEMBLY": "the instances with their sets",
+    "END PART": "the end of the part", "END ASSEMBLY": "the end of the assembly",
+    "END INSTANCE": "the end of the instance", "STEP": "when what it holds acts",
 }  # fmt: skip
 
 
@@ -74,7 +82,8 @@ class Reader:
         keyword, block.step = block.keyword, len(self.steps)
         self.deck.ledger.expect(clip(keyword), block.place, last_line(block))
         if keyword in FRAMES:
-            self.deck.ledger.note(keyword, Status.IGNORED if keyword.startswith("END") else Status.TRANSLATED, block.place, FRAMES[keyword])
+            self.deck.ledger.note(keyword, Status.IGNORED if keyword.startswith("END") else Status.TRANSLATED,
+                                  block.place, FRAMES[keyword])
         check_options(block, self.deck.ledger)
         if keyword in OF_MATERIALS and self.material:
             self.material.parts.append(block)
@@ -96,7 +105,8 @@ class Reader:
     def refuse(self, block: Block) -> None:
         """A keyword that is known and not read, or one that is not known."""
         if block.keyword in OTHERS or block.keyword in OF_MATERIALS:
-            is_allowed = self.deck.ledger.refuse(block.keyword, block.place, describe_lost(block.keyword), "it is left out")
+            is_allowed = self.deck.ledger.refuse(block.keyword, block.place, describe_lost(block.keyword),
+                                                 "it is left out")
             self.deck.has_lost_section |= block.keyword.endswith(" SECTION") and not is_allowed
             return
         self.unknown.append((clip(block.keyword), block.place))
@@ -155,16 +165,18 @@ class Reader:
 
     def transform(self, block: Block) -> None:
         for line in block.lines[:1]:
-            if [block.number(line, i) for i in range(6)] != [1.0, 0.0, 0.0, 0.0, 1.0, 0.0] or block.option("TYPE") not in ("", "R"):
+            if ([block.number(line, i) for i in range(6)] != [1.0, 0.0, 0.0, 0.0, 1.0, 0.0]
+                    or block.option("TYPE") not in ("", "R")):
                 self.scope.transforms.append((block.option("NSET"), block.place))
                 return
         self.deck.ledger.ignored("TRANSFORM", block.place, "its axes are those of space")
 
     def surface(self, block: Block) -> None:
         self.claim("surfaces", block, of_scope=True)
-        if block.option("TYPE") in surfaces.KINDS:
-            surfaces.read_profile(self.scope, block)
-            self.deck.ledger.translated(f"SURFACE.{block.option('TYPE')}", block.place, "a wall or a rigid part, where a rigid body has it")
+        if block.option("TYPE") in KINDS:
+            read_profile(self.scope, block)
+            self.deck.ledger.translated(f"SURFACE.{block.option('TYPE')}", block.place,
+                                        "a wall or a rigid part, where a rigid body has it")
             return
         read_surface(self.scope, block, self.deck.ledger)
         self.deck.ledger.translated("SURFACE", block.place, "a side set, where something uses it")
@@ -189,7 +201,8 @@ class Reader:
     def orientation(self, block: Block) -> None:
         self.claim("orientations", block, of_scope=True)
         read_orientation(self.scope, block)
-        self.deck.ledger.translated("ORIENTATION", block.place, "axes of orthotropic materials and of user code; isotropic ones have none")
+        self.deck.ledger.translated("ORIENTATION", block.place,
+                                    "axes of orthotropic materials and of user code; isotropic ones have none")
 
     def parameter_table(self, block: Block) -> None:
         TABLES[block.keyword](self.deck, block)
@@ -249,13 +262,18 @@ class Reader:
             self.deck.frictions[self.interaction] = block.number(lines[0], 0)
         if "ROUGH" in block.options:
             self.deck.frictions[self.interaction] = ROUGH
-            self.deck.ledger.approximated("FRICTION.ROUGH", block.place, f"a coefficient of {ROUGH:g}: what touches does not slip")
+            self.deck.ledger.approximated("FRICTION.ROUGH", block.place,
+                                          f"a coefficient of {ROUGH:g}: what touches does not slip")
         if "TAUMAX" in block.options:
-            self.deck.ledger.refuse("FRICTION.TAUMAX", block.place, "a largest shear stress of friction", "friction has no limit")
+            self.deck.ledger.refuse("FRICTION.TAUMAX", block.place,
+                                    "a largest shear stress of friction", "friction has no limit")
         if "EXPONENTIAL DECAY" in block.options:
-            self.deck.ledger.refuse("FRICTION.EXPONENTIAL DECAY", block.place, "friction that falls with the speed", "the static coefficient is used")
+            self.deck.ledger.refuse("FRICTION.EXPONENTIAL DECAY", block.place, "friction that falls with the speed",
+                                    "the static coefficient is used")
         elif len(lines) > 1 or lines and any(lines[0][1][1:]):
-            self.deck.ledger.refuse("FRICTION.table", block.place, "friction that depends on speed, pressure or temperature", "the first coefficient is used")
+            self.deck.ledger.refuse("FRICTION.table", block.place,
+                                    "friction that depends on speed, pressure or temperature",
+                                    "the first coefficient is used")
         self.deck.interactions[self.interaction].append(block)
 
     def glue(self, block: Block) -> None:
@@ -275,7 +293,8 @@ class Reader:
     def begin_step(self, block: Block) -> None:
         self.steps.append(block.place)
         if block.option("NLGEOM") == "NO":
-            self.deck.ledger.approximated("STEP.NLGEOM", block.place, "displacements may be large, whatever NLGEOM says")
+            self.deck.ledger.approximated("STEP.NLGEOM", block.place,
+                                          "displacements may be large, whatever NLGEOM says")
 
     def dynamic(self, block: Block) -> None:
         if "EXPLICIT" not in block.options:
@@ -288,7 +307,8 @@ class Reader:
 
     def restart(self, block: Block) -> None:
         if "READ" in block.options:
-            raise BadInput(block.place, "*RESTART, READ goes on from the results of another job, which percuss does not read: add these steps to the deck of that job")
+            raise BadInput(block.place, "*RESTART, READ goes on from the results of another job, "
+                                        "which percuss does not read: add these steps to the deck of that job")
         self.deck.ledger.ignored("RESTART", block.place, OF_PRINTING)
 
     def static(self, block: Block) -> None:
@@ -301,7 +321,8 @@ class Reader:
         """The step follows those before."""
         steps = self.deck.steps
         if not self.steps or len(steps) == len(self.steps):
-            raise BadInput(block.place, f"*{block.keyword} stands outside of a *STEP, or is the second of one: correct it")
+            raise BadInput(block.place,
+                           f"*{block.keyword} stands outside of a *STEP, or is the second of one: correct it")
         if length <= 0:
             raise BadInput(block.place, f"the step has no time (the second number behind *{block.keyword}): add it")
         steps.append(StepTime(block.place, self.deck.end_time, length))
@@ -311,7 +332,8 @@ class Reader:
         viscosity = {"linear": block.number(line, 0, 0.06), "quadratic": block.number(line, 1, 1.2)}
         before = self.deck.model.deck.setdefault("elements", {}).setdefault("bulk_viscosity", viscosity)
         if before != viscosity:
-            self.deck.ledger.refuse("BULK VISCOSITY.step", block.place, "bulk viscosity that changes from step to step", "that of the first is used")
+            self.deck.ledger.refuse("BULK VISCOSITY.step", block.place, "bulk viscosity that changes from step to step",
+                                    "that of the first is used")
         self.deck.ledger.translated("BULK VISCOSITY", block.place, "elements.bulk_viscosity")
 
     def output(self, block: Block) -> None:
@@ -328,28 +350,32 @@ class Reader:
 
 
 METHODS: dict[str, Callable[[Reader, Block], None]] = {
-    "HEADING": Reader.heading, "PART": Reader.begin_part, "ASSEMBLY": Reader.begin_assembly, "INSTANCE": Reader.begin_instance,
-    "END PART": Reader.end, "END ASSEMBLY": Reader.end, "END INSTANCE": Reader.end, "NODE": Reader.nodes, "ELEMENT": Reader.elements,
-    **dict.fromkeys(generators.GENERATORS, Reader.generate), "TRANSFORM": Reader.transform,
-    "NSET": Reader.sets, "ELSET": Reader.sets, "SURFACE": Reader.surface, "SOLID SECTION": Reader.section, "SHELL SECTION": Reader.section, "BEAM SECTION": Reader.section, "BEAM GENERAL SECTION": Reader.section,
-    "BEAM ADDED INERTIA": Reader.added_inertia,
-    "MEMBRANE SECTION": Reader.section, "COHESIVE SECTION": Reader.section,
-    "SECTION CONTROLS": Reader.controls, "DISTRIBUTION": Reader.distribution, "NODAL THICKNESS": Reader.nodal_thickness, "ORIENTATION": Reader.orientation,
-    **dict.fromkeys(TABLES, Reader.parameter_table),
-    "RIGID BODY": Reader.rigid_body, "COUPLING": Reader.begin_coupling, "KINEMATIC": Reader.kinematic, "MPC": Reader.constraints, "EQUATION": Reader.equations,
-    "MASS": Reader.mass, "ROTARY INERTIA": Reader.inertia, "SPRING": Reader.spring, "DASHPOT": Reader.spring,
+    "HEADING": Reader.heading, "PART": Reader.begin_part, "ASSEMBLY": Reader.begin_assembly,
+    "INSTANCE": Reader.begin_instance, "END PART": Reader.end, "END ASSEMBLY": Reader.end, "END INSTANCE": Reader.end,
+    "NODE": Reader.nodes, "ELEMENT": Reader.elements, **dict.fromkeys(generators.GENERATORS, Reader.generate),
+    "TRANSFORM": Reader.transform, "NSET": Reader.sets, "ELSET": Reader.sets, "SURFACE": Reader.surface,
+    "SOLID SECTION": Reader.section, "SHELL SECTION": Reader.section, "BEAM SECTION": Reader.section,
+    "BEAM GENERAL SECTION": Reader.section, "BEAM ADDED INERTIA": Reader.added_inertia,
+    "MEMBRANE SECTION": Reader.section, "COHESIVE SECTION": Reader.section, "SECTION CONTROLS": Reader.controls,
+    "DISTRIBUTION": Reader.distribution, "NODAL THICKNESS": Reader.nodal_thickness, "ORIENTATION": Reader.orientation,
+    **dict.fromkeys(TABLES, Reader.parameter_table), "RIGID BODY": Reader.rigid_body, "COUPLING": Reader.begin_coupling,
+    "KINEMATIC": Reader.kinematic, "MPC": Reader.constraints, "EQUATION": Reader.equations, "MASS": Reader.mass,
+    "ROTARY INERTIA": Reader.inertia, "SPRING": Reader.spring, "DASHPOT": Reader.spring,
     "MATERIAL": Reader.begin_material, "SURFACE INTERACTION": Reader.begin_interaction, "FRICTION": Reader.friction,
     **dict.fromkeys(("COHESIVE BEHAVIOR", "DAMAGE INITIATION", "DAMAGE EVOLUTION"), Reader.glue),
-    "AMPLITUDE": Reader.amplitude, "STEP": Reader.begin_step, "DYNAMIC": Reader.dynamic, heat.CONDUCTING: Reader.dynamic, "STATIC": Reader.static, "FREQUENCY": Reader.static,
-    "RESTART": Reader.restart, "BULK VISCOSITY": Reader.viscosity, "OUTPUT": Reader.output,
+    "AMPLITUDE": Reader.amplitude, "STEP": Reader.begin_step, "DYNAMIC": Reader.dynamic,
+    heat.CONDUCTING: Reader.dynamic, "STATIC": Reader.static, "FREQUENCY": Reader.static, "RESTART": Reader.restart,
+    "BULK VISCOSITY": Reader.viscosity, "OUTPUT": Reader.output,
 }  # fmt: skip
 ACTIONS: dict[str, Handler] = {
     "FIXED MASS SCALING": read_mass_scaling, "VARIABLE MASS SCALING": read_mass_scaling,
     "TRANSVERSE SHEAR": read_transverse_shear, "TRANSVERSE SHEAR STIFFNESS": read_transverse_shear,
     "INITIAL CONDITIONS": initial.read_initial, "BOUNDARY": conditions.read_boundary, "CLOAD": loads.read_node_force,
-    "DLOAD": loads.read_distributed, "DSLOAD": loads.read_distributed, "TIE": contact.read_tie, "EMBEDDED ELEMENT": embedded.read_embedded, "CONTACT PAIR": contact.read_contact_pair,
-    "CONTACT": general_contact.read_start, "CONTACT INCLUSIONS": general_contact.read_inclusions, "CONTACT EXCLUSIONS": general_contact.read_exclusions,
-    "CONTACT PROPERTY ASSIGNMENT": general_contact.read_property, "SURFACE PROPERTY ASSIGNMENT": contact.read_surface_property,
+    "DLOAD": loads.read_distributed, "DSLOAD": loads.read_distributed, "TIE": contact.read_tie,
+    "EMBEDDED ELEMENT": read_embedded, "CONTACT PAIR": contact.read_contact_pair,
+    "CONTACT": general_contact.read_start, "CONTACT INCLUSIONS": general_contact.read_inclusions,
+    "CONTACT EXCLUSIONS": general_contact.read_exclusions, "CONTACT PROPERTY ASSIGNMENT": general_contact.read_property,
+    "SURFACE PROPERTY ASSIGNMENT": contact.read_surface_property,
 }  # fmt: skip
 KEYWORDS = {
     squeeze(word): word
@@ -373,7 +399,8 @@ def read_abaqus_deck(path: str, ledger: Ledger) -> Model:
         raise BadInput(clip(path, 200), "the deck has no elements (percuss needs a mesh): include the mesh file")
     if deck.end_time <= 0:
         hint = suggest_place("DYNAMIC", reader.unknown)
-        raise BadInput(clip(path, 200), f"there is no step with a time (the run would have no end): {hint or 'add *DYNAMIC, EXPLICIT'}")
+        raise BadInput(clip(path, 200),
+                       f"there is no step with a time (the run would have no end): {hint or 'add *DYNAMIC, EXPLICIT'}")
     extrude(deck)
     turn_rings(deck)
     deck.model.nodes = deck.mesh.nodes
@@ -381,12 +408,14 @@ def read_abaqus_deck(path: str, ledger: Ledger) -> Model:
     note_fields(deck, reader.waiting)
     build_parts(deck)
     choose_integration(deck)
-    damage.finish_failure(deck)
+    finish_failure(deck)
     bodies.build_bodies(deck)
     equations.add_equations(deck)
     kinds = {section.place: section.keyword for section in deck.mesh.sections}
     for part in deck.model.blocks:
-        deck.model.origins.cards["parts", part.name] = deck.model.origins.cards["materials", part.keys["material"]] = (kinds.get(part.place, "ELEMENT"), part.place)
+        origin = kinds.get(part.place, "ELEMENT"), part.place
+        deck.model.origins.cards["parts", part.name] = origin
+        deck.model.origins.cards["materials", part.keys["material"]] = origin
     deck.model.origins.note(deck.model, "RIGID BODY", None)
     apply(reader)
     finish(reader)
@@ -403,7 +432,8 @@ def apply(reader: Reader) -> None:
         guard(deck.ledger, block, lambda block: add_amplitude(deck, block))
     deck.ledger.stop_at_faults()
     acting = [block for block in reader.waiting if block.keyword in ACTIONS]
-    for block in sorted(acting, key=lambda block: block.keyword != "INITIAL CONDITIONS"):  # velocities come before what changes them
+    # velocities come before what changes them
+    for block in sorted(acting, key=lambda block: block.keyword != "INITIAL CONDITIONS"):
         guard(deck.ledger, block, lambda block: ACTIONS[block.keyword](deck, block))
         deck.model.origins.note(deck.model, block.keyword, block.place)
     deck.ledger.stop_at_faults()
@@ -428,11 +458,14 @@ def finish(reader: Reader) -> None:
     """The sections that need all keywords."""
     deck = reader.deck
     for function, keyword in (
-        (add_masses, "MASS"), (conditions.finish_conditions, "BOUNDARY"), (bodies.finish_bodies, "RIGID BODY"), (loads.finish_loads, "CLOAD"),
-        (add_springs, "SPRING"), (initial.add_velocities, "INITIAL CONDITIONS"), (apply_states, "INITIAL CONDITIONS"), (finish_tables, "TABLE COLLECTION"),
+        (add_masses, "MASS"), (conditions.finish_conditions, "BOUNDARY"), (bodies.finish_bodies, "RIGID BODY"),
+        (loads.finish_loads, "CLOAD"),
+        (add_springs, "SPRING"), (initial.add_velocities, "INITIAL CONDITIONS"), (apply_states, "INITIAL CONDITIONS"),
+        (finish_tables, "TABLE COLLECTION"),
         (heat.apply_temperatures, "INITIAL CONDITIONS"),
         (heat.check_conduction, heat.CONDUCTING),
-        (hold_planes, "SOLID SECTION"), (hold_layers, "SOLID SECTION"), (hold_rings, "SOLID SECTION"), (cohesive.add_layers, "COHESIVE SECTION"), (general_contact.finish_contact, "CONTACT"),
+        (hold_planes, "SOLID SECTION"), (hold_layers, "SOLID SECTION"), (hold_rings, "SOLID SECTION"),
+        (add_layers, "COHESIVE SECTION"), (general_contact.finish_contact, "CONTACT"),
     ):  # fmt: skip
         function(deck)
         deck.model.origins.note(deck.model, keyword, None)

@@ -28,21 +28,26 @@ def turn(vector: list[float], spin: list[float], step: float) -> list[float]:
         return vector
     k, angle = [w / rate for w in spin], rate * step
     along = sum(a * b for a, b in zip(k, vector))
-    across = [k[1] * vector[2] - k[2] * vector[1], k[2] * vector[0] - k[0] * vector[2], k[0] * vector[1] - k[1] * vector[0]]
-    return [v * math.cos(angle) + c * math.sin(angle) + a * along * (1 - math.cos(angle)) for v, c, a in zip(vector, across, k)]
+    across = [k[1] * vector[2] - k[2] * vector[1], k[2] * vector[0] - k[0] * vector[2],
+              k[0] * vector[1] - k[1] * vector[0]]
+    return [v * math.cos(angle) + c * math.sin(angle) + a * along * (1 - math.cos(angle))
+            for v, c, a in zip(vector, across, k)]
 
 
 def place_center(motions: list[Deck], arm: list[float], end: float) -> list[Points]:
-    """Displacements of the centre over time along x, y and z. motions: of the reference node, of one direction each. arm: from it to the centre."""
+    """Displacements of the centre over time along x, y and z. motions: of the reference node, of one direction each.
+    arm: from it to the centre."""
     by_way = {way: motion for motion in motions for way in next(iter(motion.values()))}
     ways, now = [0.0, 0.0, 0.0], list(arm)
     tables: list[Points] = [[(0.0, 0.0)] for _ in AXES]
     step = end / (ROWS * SUBSTEPS)
     for index in range(1, ROWS * SUBSTEPS + 1):
         time = index * step
-        spin = [read_value(by_way[f"r{way}"]["velocity"][f"r{way}"], time - 0.5 * step) if f"r{way}" in by_way else 0.0 for way in AXES]
+        spin = [read_value(by_way[f"r{way}"]["velocity"][f"r{way}"], time - 0.5 * step) if f"r{way}" in by_way else 0.0
+                for way in AXES]
         now = turn(now, spin, step)
-        ways = [find_displacement(by_way[way], way, time, ways[d], step) if way in by_way else 0.0 for d, way in enumerate(AXES)]
+        ways = [find_displacement(by_way[way], way, time, ways[d], step) if way in by_way else 0.0
+                for d, way in enumerate(AXES)]
         if index % SUBSTEPS == 0:
             for d, table in enumerate(tables):
                 table.append((time, ways[d] + now[d] - arm[d]))

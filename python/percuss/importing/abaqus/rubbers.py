@@ -27,16 +27,19 @@ def translate_rubber(deck: AbaqusDeck, block: Block) -> Deck | None:
     found = read_rubber(block, require_line(block))
     if found is None:
         order = f" (N={block.option('N')})" if block.option("N") else ""
-        text = f"rubber{order} that is not NEO HOOKE, MOONEY-RIVLIN, YEOH, ARRUDA-BOYCE (constants, the first and the shear modulus above 0) or OGDEN (constants, D1 alone)"
+        text = (f"rubber{order} that is not NEO HOOKE, MOONEY-RIVLIN, YEOH, ARRUDA-BOYCE "
+                "(constants, the first and the shear modulus above 0) or OGDEN (constants, D1 alone)")
         deck.ledger.refuse("HYPERELASTIC", block.place, text, "the parts made of it are left out")
         return None
     law, shear, d1 = found
     if len(block.lines) > count_lines(block):
-        deck.ledger.refuse("HYPERELASTIC.TEMPERATURE", block.place, "constants that depend on the temperature", "the first row is used")
+        deck.ledger.refuse("HYPERELASTIC.TEMPERATURE", block.place,
+                           "constants that depend on the temperature", "the first row is used")
     law["bulk_modulus"] = 2 / d1 if d1 > 0 else USUAL_BULK * shear
     if math.isinf(law["bulk_modulus"]):
         raise BadInput(block.place, "D1 of *HYPERELASTIC is too small: correct it")
-    text = "the same constants and bulk modulus 2 / D1" if d1 > 0 else f"bulk modulus of {USUAL_BULK:g} shear moduli, as D1 is 0"
+    text = ("the same constants and bulk modulus 2 / D1" if d1 > 0
+            else f"bulk modulus of {USUAL_BULK:g} shear moduli, as D1 is 0")
     deck.ledger.approximated("HYPERELASTIC", block.place, f"{law['model']}: {text}, with percuss' term of volume")
     return law
 
@@ -78,7 +81,8 @@ def translate_hyperfoam(deck: AbaqusDeck, block: Block) -> Deck | None:
         deck.ledger.refuse("HYPERFOAM", block.place, text, "the parts made of it are left out")
         return None
     if len(block.lines) > count_lines(block):
-        deck.ledger.refuse("HYPERFOAM.TEMPERATURE", block.place, "constants that depend on the temperature", "the first row is used")
+        deck.ledger.refuse("HYPERFOAM.TEMPERATURE", block.place,
+                           "constants that depend on the temperature", "the first row is used")
     deck.ledger.translated("HYPERFOAM", block.place, "hyperfoam")
     return {"model": "hyperfoam", "terms": found[0], "poissons_ratio": found[1][0]}
 
@@ -106,10 +110,13 @@ def read_rubber(block: Block, line: tuple[int, list[str]]) -> tuple[Deck, float,
         d1, *others = values[count : 2 * count]
         if d1 < 0 or any(others):
             return None
-        return {"model": "yeoh", "c10": values[0], "c20": values[1], "c30": values[2] if count == 3 else 0.0}, 2 * values[0], d1
+        return ({"model": "yeoh", "c10": values[0], "c20": values[1], "c30": values[2] if count == 3 else 0.0},
+                2 * values[0], d1)
     if order not in ("", "1"):
         return None
-    is_mooney = "MOONEY-RIVLIN" in block.options or "POLYNOMIAL" in block.options or not block.options.keys() - {"N", "MODULI"}  # the default
+    # the default
+    is_mooney = ("MOONEY-RIVLIN" in block.options or "POLYNOMIAL" in block.options
+                 or not block.options.keys() - {"N", "MODULI"})
     if not is_mooney and not {"NEO HOOKE", "REDUCED POLYNOMIAL"} & block.options.keys():
         return None
     c01, d1 = values[1] if is_mooney else 0.0, values[2 if is_mooney else 1]

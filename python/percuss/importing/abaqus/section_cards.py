@@ -16,9 +16,11 @@ def read_layers(section: Section, block: Block) -> None:
         turn = block.text(line, 3)
         is_angle = parse_real(turn or "0") is not None
         layer = SectionLayer(block.number(line, 0), block.integer(line, 1, 3), block.text(line, 2).strip('"').upper())
-        layer = replace(layer, angle=block.number(line, 3)) if is_angle else replace(layer, orientation=turn.strip('"').upper())
+        layer = (replace(layer, angle=block.number(line, 3)) if is_angle
+                 else replace(layer, orientation=turn.strip('"').upper()))
         if layer.thickness <= 0:
-            raise BadInput(block.at(line[0]), f"the thickness of a layer is {layer.thickness:g} (it must be positive): correct it")
+            raise BadInput(block.at(line[0]),
+                           f"the thickness of a layer is {layer.thickness:g} (it must be positive): correct it")
         section.layers.append(layer)
     if not section.layers:
         raise BadInput(block.place, f"*{block.keyword}, COMPOSITE has no layers: add them")
@@ -60,12 +62,14 @@ def read_section(scope: Scope, block: Block) -> None:
 def read_distribution(scope: Scope, block: Block, ledger: Ledger) -> None:
     """*DISTRIBUTION of a value of elements; a line without element is that of all others."""
     if block.option("LOCATION") not in ("", "ELEMENT"):
-        ledger.ignored("DISTRIBUTION", block.place, "axes of materials, which *ORIENTATION refuses where a law has axes")
+        ledger.ignored("DISTRIBUTION", block.place,
+                       "axes of materials, which *ORIENTATION refuses where a law has axes")
         return
     values = scope.distributions.setdefault(block.option("NAME"), {})
     for line in block.lines:
         if len([word for word in line[1] if word]) > 2:
-            ledger.ignored("DISTRIBUTION", block.place, "axes of materials, which *ORIENTATION refuses where a law has axes")
+            ledger.ignored("DISTRIBUTION", block.place,
+                           "axes of materials, which *ORIENTATION refuses where a law has axes")
             return
         values[block.id(line, 0) if block.text(line, 0) else 0] = block.number(line, 1)
     ledger.translated("DISTRIBUTION", block.place, "thickness of shells, where a section asks for it")
@@ -74,6 +78,7 @@ def read_distribution(scope: Scope, block: Block, ledger: Ledger) -> None:
 def read_transverse_shear(deck: AbaqusDeck, block: Block) -> None:
     """Stiffness of a section of shells or beams."""
     if any(section.kind in ("SHELL", "BEAM") for section in deck.mesh.sections):
-        deck.ledger.refuse(block.keyword, block.place, "a transverse shear stiffness of its own", "it is that of the material")
+        deck.ledger.refuse(block.keyword, block.place, "a transverse shear stiffness of its own",
+                           "it is that of the material")
     else:
         deck.ledger.ignored(block.keyword, block.place, "it is of shells and beams, which the deck has not")

@@ -13,19 +13,24 @@ from .orientations import read_angles
 def add_thick_keys(deck: AbaqusDeck, section: Section, part: Part, has_plies: bool) -> bool:
     """`integration` of continuum shells; False if they are left out."""
     if has_plies:
-        deck.ledger.refuse("SHELL SECTION.COMPOSITE", section.place, "layers of several materials or angles in SC8R", "its elements are left out")
+        deck.ledger.refuse("SHELL SECTION.COMPOSITE", section.place, "layers of several materials or angles in SC8R",
+                           "its elements are left out")
         deck.left_elements |= {id for id, _ in part.solids}
         for id, _ in part.solids:
             deck.blocks_of_elements.pop(id, None)
         return False
     if section.offset:
-        deck.ledger.refuse("SHELL SECTION.OFFSET", section.place, "an offset of SC8R, whose nodes are the bottom and the top", "it is 0")
+        deck.ledger.refuse("SHELL SECTION.OFFSET", section.place,
+                           "an offset of SC8R, whose nodes are the bottom and the top", "it is 0")
     points = 3 if section.points <= 3 else 5
     across = {"": "third", "1": "first", "2": "second", "3": "third"}.get(section.stack)
     if across is None:
-        deck.ledger.refuse("SHELL SECTION.STACK DIRECTION", section.place, f"the stack direction {section.stack}", "it is 3")
-    part.keys["integration"] = {"kind": "thick_shell", "points": points} | ({"across": across} if across not in (None, "third") else {})
-    text = f"thick shells with 2x2 columns of {points} Gauss points for one column of {section.points}; the thickness is that of the nodes"
+        deck.ledger.refuse("SHELL SECTION.STACK DIRECTION", section.place,
+                           f"the stack direction {section.stack}", "it is 3")
+    part.keys["integration"] = ({"kind": "thick_shell", "points": points}
+                                | ({"across": across} if across not in (None, "third") else {}))
+    text = (f"thick shells with 2x2 columns of {points} Gauss points for one column of {section.points}; "
+            "the thickness is that of the nodes")
     deck.ledger.approximated("ELEMENT.SC8R", section.place, text)
     return True
 
@@ -50,7 +55,8 @@ def distribute_thicknesses(deck: AbaqusDeck, section: Section, part: Part) -> No
     for id, _ in part.shells:
         value = values.get(id, values.get(0, 0.0))
         if value <= 0:
-            raise BadInput(section.place, f"the thickness of shell {id} in *DISTRIBUTION {clip(section.distribution)} is {value:g} (it must be positive): correct it")
+            raise BadInput(section.place, f"the thickness of shell {id} in *DISTRIBUTION {clip(section.distribution)} "
+                                          f"is {value:g} (it must be positive): correct it")
         part.thicknesses[id] = value
     deck.ledger.translated("SHELL SECTION.SHELL THICKNESS", section.place, "thickness of each shell in the mesh")
     unite_thicknesses(deck, section, part)
@@ -62,44 +68,52 @@ def unite_thicknesses(deck: AbaqusDeck, section: Section, part: Part) -> None:
     if len(set(part.thicknesses.values())) == 1:
         part.thicknesses = {}
     elif section.offset:
-        deck.ledger.refuse("SHELL SECTION.OFFSET", section.place, "an offset of shells that differ in thickness", "it is left out")
+        deck.ledger.refuse("SHELL SECTION.OFFSET", section.place,
+                           "an offset of shells that differ in thickness", "it is left out")
         section.offset = 0.0
 
 
 def add_shell_keys(deck: AbaqusDeck, section: Section, part: Part) -> None:
     if section.thickness <= 0 and not section.is_nodal and not section.distribution:
-        raise BadInput(section.place, f"the thickness of this shell section is {section.thickness:g} (it must be positive): correct it")
+        raise BadInput(section.place, f"the thickness of this shell section is {section.thickness:g} "
+                                      "(it must be positive): correct it")
     part.thickness = section.thickness
     if section.is_nodal:
         average_thicknesses(deck, section, part)
     if section.distribution:
         distribute_thicknesses(deck, section, part)
     if "integration" in part.keys:  # a membrane
-        text = "one membrane of percuss, whose thickness follows the strain by the material, not by POISSON of the section"
+        text = ("one membrane of percuss, whose thickness follows the strain by the material, "
+                "not by POISSON of the section")
         deck.ledger.approximated(section.keyword, section.place, text)
         return
     part.keys["points"] = min(max(section.points, 1), 16)
     if section.offset:
         part.keys["reference"] = {0.5: "top", -0.5: "bottom"}.get(section.offset, section.offset * part.thickness)
-    deck.ledger.approximated(section.keyword, section.place, "Gauss points; percuss' one shell, whose thickness follows the strain")
+    deck.ledger.approximated(section.keyword, section.place,
+                             "Gauss points; percuss' one shell, whose thickness follows the strain")
 
 
 def lay_up(deck: AbaqusDeck, section: Section, part: Part, found: "dict[str, tuple[str, Deck]]") -> None:
     """Plies of a part, and the material from whose axes their angles count."""
     if part.thicknesses:
-        deck.ledger.refuse("SHELL SECTION.COMPOSITE", section.place, "layers of shells that differ in thickness", "all have the sum of their layers")
+        deck.ledger.refuse("SHELL SECTION.COMPOSITE", section.place, "layers of shells that differ in thickness",
+                           "all have the sum of their layers")
         part.thicknesses = {}
     part.thickness = section.thickness
     part.layers = reduce_points(deck.ledger, "SHELL SECTION.COMPOSITE", section.place, read_angles(deck, section))
     laws = dict(found)
     if find_difference(part.layers, laws) == "failure":  # type: ignore[arg-type]
-        deck.ledger.refuse("SHELL SECTION.COMPOSITE", section.place, "layers whose materials fail in different ways", "the failure of one of them counts for all")
+        deck.ledger.refuse("SHELL SECTION.COMPOSITE", section.place, "layers whose materials fail in different ways",
+                           "the failure of one of them counts for all")
     name, law = add_plies(part, part.layers, laws, {})  # type: ignore[arg-type]
     part.keys.pop("points", None)
     part.keys = {"material": name, **{key: value for key, value in part.keys.items() if key != "material"}}
     if any(has_points(one) for _, one in found.values()):
-        part.keys["points"] = max(1, min(max(layer.points for layer in section.layers), MOST_POINTS // len(part.layers)))
-    deck.ledger.approximated("SHELL SECTION.COMPOSITE", section.place, "plies with Gauss points, two where they do not yield: they bend as laminate theory says")
+        part.keys["points"] = max(1,
+                                  min(max(layer.points for layer in section.layers), MOST_POINTS // len(part.layers)))
+    deck.ledger.approximated("SHELL SECTION.COMPOSITE", section.place,
+                             "plies with Gauss points, two where they do not yield: they bend as laminate theory says")
 
 
 def has_points(law: Deck) -> bool:

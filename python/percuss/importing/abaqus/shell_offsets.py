@@ -1,4 +1,5 @@
-"""Contact of shells with an offset: percuss has both sides at half the thickness from the mesh, Abaqus from the middle surface."""
+"""Contact of shells with an offset: percuss has both sides at half the thickness from the mesh,
+Abaqus from the middle surface."""
 
 from ..ledger import Place
 from ..model import Block as Part
@@ -7,7 +8,8 @@ from .deck import AbaqusDeck
 
 def report_offsets(deck: AbaqusDeck) -> None:
     """A row for each part of shells with an offset that something touches: where its sides lie in Abaqus."""
-    is_general = not any("friction" in pair for pair in deck.pairs) and all(friction is None for _, _, friction in deck.wall_pairs)
+    is_general = (not any("friction" in pair for pair in deck.pairs)
+                  and all(friction is None for _, _, friction in deck.wall_pairs))
     if deck.contact_ignores_offsets and is_general:
         return
     names = list_touching(deck)
@@ -15,7 +17,8 @@ def report_offsets(deck: AbaqusDeck) -> None:
         reference, thickness = part.keys.get("reference", 0.0), part.thickness or 0.0
         height = {"top": 0.5 * thickness, "bottom": -0.5 * thickness}.get(reference, reference)
         if height and names and ("all" in names or any(covers(deck, name, part) for name in names)):
-            text = f"contact: both sides lie at half the thickness, {0.5 * thickness:g}, from the mesh; in Abaqus they lie {abs(height):g} further {'against' if height > 0 else 'along'} the normal"
+            text = (f"contact: both sides lie at half the thickness, {0.5 * thickness:g}, from the mesh; "
+                    f"in Abaqus they lie {abs(height):g} further {'against' if height > 0 else 'along'} the normal")
             deck.ledger.approximated("SHELL SECTION.OFFSET", part.place or Place("", 0), text)
 
 

@@ -1,4 +1,5 @@
-"""The velocity with which an acceleration of *BOUNDARY begins: from the initial conditions, or from what moved the node in the steps before."""
+"""The velocity with which an acceleration of *BOUNDARY begins: from the initial conditions,
+or from what moved the node in the steps before."""
 
 from ..curves import differentiate, order_points
 from ..shapes import cross, subtract
@@ -38,7 +39,8 @@ class Speeds:
             return self._deck.velocities.get(node, [0.0] * 3)[index] if index < 3 else 0.0
         if index >= 3:
             return rotation.spin[index - 3]
-        return rotation.velocity[index] + cross(rotation.spin, subtract(self._deck.mesh.nodes[node], rotation.center))[index]
+        return (rotation.velocity[index]
+                + cross(rotation.spin, subtract(self._deck.mesh.nodes[node], rotation.center))[index])
 
     def _find_group(self, group: RigidGroup) -> list[Speed]:
         """Of a body: that of its reference node counts before those of its nodes, which must agree."""

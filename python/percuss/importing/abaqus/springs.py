@@ -19,7 +19,8 @@ def read_spring(scope: Scope, block: Block, ledger: Ledger) -> None:
     if not lines:
         raise BadInput(block.place, f"*{block.keyword} has no value: add its data line")
     if nonlinear:
-        law: dict[str, Any] = {"table": make_table(block, [(block.number(line, 1), block.number(line, 0)) for line in lines])}
+        law: dict[str, Any] = {"table": make_table(block,
+                                                   [(block.number(line, 1), block.number(line, 0)) for line in lines])}
     else:
         law = {"stiffness" if block.keyword == "SPRING" else "damping": block.number(lines[0], 0)}
     scope.springs.append(SpringSet(block.keyword, block.option("ELSET"), law, block.place))
@@ -48,7 +49,8 @@ def add_springs(deck: AbaqusDeck) -> None:
 def add_spring(deck: AbaqusDeck, spring: SpringSet, id: int) -> None:
     kind, nodes = deck.mesh.elements.get(id, ("", ()))
     if kind not in SPRINGS or len(nodes) != 2:
-        deck.ledger.refuse(f"ELEMENT.{kind}", spring.place, "springs other than SPRINGA and DASHPOTA", "they are left out")
+        deck.ledger.refuse(f"ELEMENT.{kind}", spring.place,
+                           "springs other than SPRINGA and DASHPOTA", "they are left out")
     elif nodes[0] == nodes[1]:
         raise BadInput(spring.place, f"both ends of element {id} are node {nodes[0]}: correct it")
     elif not deck.used_nodes().issuperset(nodes):

@@ -25,7 +25,9 @@ def read_stresses(deck: AbaqusDeck, block: Block) -> None:
         taking = list_taking(deck, solids, takes_stress)
         if any(values) and len(taking) < len(solids):
             deck.ledger.refuse(
-                MATERIAL, block.at(line[0]), "stresses of rigid bodies, or of a law whose stress does not grow in increments", "they begin without stress"
+                MATERIAL, block.at(line[0]),
+                "stresses of rigid bodies, or of a law whose stress does not grow in increments",
+                "they begin without stress"
             )
         rows |= {id: ",".join(repr(value) for value in values) for id in taking}
     write(deck, block, "stresses.csv", STRESSES, rows)
@@ -37,12 +39,16 @@ def read_hardening(deck: AbaqusDeck, block: Block) -> None:
     for line in block.lines:
         strain = block.number(line, 1)
         if any(block.number(line, i) for i in range(2, len(line[1]))):
-            deck.ledger.refuse("INITIAL CONDITIONS.back_stress", block.at(line[0]), "a back stress at the start", "it starts at zero")
+            deck.ledger.refuse("INITIAL CONDITIONS.back_stress", block.at(line[0]),
+                               "a back stress at the start", "it starts at zero")
         ids = [id for id in deck.elements_of(block.text(line, 0), block.at(line[0])) if id in deck.blocks_of_elements]
-        taking = list_taking(deck, [id for id in ids if not is_beam(deck, id) and not has_ten_nodes(deck, id)], takes_plastic_strain)
+        taking = list_taking(deck, [id for id in ids if not is_beam(deck, id) and not has_ten_nodes(deck, id)],
+                             takes_plastic_strain)
         if strain and len(taking) < len(ids):
             deck.ledger.refuse(
-                MATERIAL, block.at(line[0]), "plastic strains of rigid bodies, of beams, of tetrahedra of ten nodes, or of a law without them", "they begin without plastic strain"
+                MATERIAL, block.at(line[0]),
+                "plastic strains of rigid bodies, of beams, of tetrahedra of ten nodes, or of a law without them",
+                "they begin without plastic strain"
             )
         rows |= dict.fromkeys(taking, repr(strain))
     write(deck, block, "plastic_strains.csv", "equivalent_plastic_strain", rows)

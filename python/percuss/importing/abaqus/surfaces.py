@@ -8,7 +8,7 @@ from typing import Any
 from ..curves import Curve, differentiate, make_time_value
 from ..ledger import BadInput, Place
 from ..model import Deck, Vector
-from ..shapes import cross, dot, normalise, subtract
+from ..shapes import cross, dot, make_vector, normalise, subtract
 from .deck import AbaqusDeck, RigidGroup
 from .lines import Block
 from .mesh import BodyCard, Profile, Scope
@@ -24,7 +24,8 @@ EVERYWHERE = ("x", "y", "z", "rx", "ry", "rz")
 
 
 def read_profile(scope: Scope, block: Block) -> None:
-    """START; LINE to a point; CIRCL to a point, and the centre; PARAB by a point to another. Axes first, outside of parts."""
+    """START; LINE to a point; CIRCL to a point, and the centre; PARAB by a point to another.
+    Axes first, outside of parts."""
     profile = Profile(block.place, block.option("TYPE"))
     axes: list[float] = []
     for line in block.lines:
@@ -34,7 +35,8 @@ def read_profile(scope: Scope, block: Block) -> None:
         elif not profile.pieces and len(axes) < 9:
             axes += [block.number(line, i) for i in range(len(line[1])) if line[1][i]]
         else:
-            raise BadInput(block.at(line[0]), "START, LINE, CIRCL or PARAB is expected in a line of *SURFACE: correct it")
+            raise BadInput(block.at(line[0]),
+                           "START, LINE, CIRCL or PARAB is expected in a line of *SURFACE: correct it")
     if not profile.pieces or profile.pieces[0][0] != "START" or len(profile.pieces) < 2:
         raise BadInput(block.place, "the profile of this *SURFACE has no START, or nothing behind it: correct it")
     if axes:
@@ -45,9 +47,11 @@ def read_profile(scope: Scope, block: Block) -> None:
 def set_axes(profile: Profile, values: list[float]) -> None:
     """Origin and a point of the axis of revolution."""
     if profile.kind != "REVOLUTION":
-        raise BadInput(profile.place, "a surface swept along a generator outside of a part (the sense of its axes is not known): define it in a part, by x and y")
+        raise BadInput(profile.place, "a surface swept along a generator outside of a part "
+                                      "(the sense of its axes is not known): define it in a part, by x and y")
     if len(values) != 6:
-        raise BadInput(profile.place, f"the axis of this *SURFACE has {len(values)} numbers (6 are expected): correct it")
+        raise BadInput(profile.place,
+                       f"the axis of this *SURFACE has {len(values)} numbers (6 are expected): correct it")
     profile.origin = (values[0], values[1], values[2])
     far = normalise(subtract((values[3], values[4], values[5]), profile.origin))
     if not any(far):
@@ -77,9 +81,11 @@ def find_shape(deck: AbaqusDeck, profile: Profile) -> Shape | None:
     r, z = profile.pieces[0][1]
     if words[1:] == ["LINE"]:
         end_r, end_z = profile.pieces[1][1]
-        if deck.is_ring and end_z == z and min(r, end_r) <= NEAR * max(r, end_r):  # nodes of the sector have x or z as their radius
-            normal = tuple(a if end_r > r else -a for a in axis)
-            return Shape({"point": put(0.0, z), "normal": list(normal), "rectangle": {"along": list(first), "size": [2 * max(r, end_r)] * 2}}, normal)  # type: ignore[arg-type]
+        # nodes of the sector have x or z as their radius
+        if deck.is_ring and end_z == z and min(r, end_r) <= NEAR * max(r, end_r):
+            normal = make_vector(a if end_r > r else -a for a in axis)
+            rectangle = {"along": list(first), "size": [2 * max(r, end_r)] * 2}
+            return Shape({"point": put(0.0, z), "normal": list(normal), "rectangle": rectangle}, normal)
         if not (r > 0 and abs(end_r - r) <= NEAR * abs(r) and end_z < z):
             return None
         return Shape({"point": put(0.0, end_z), "cylinder": {"axis": list(axis), "radius": r, "length": z - end_z}})
@@ -110,7 +116,8 @@ def find_plane(deck: AbaqusDeck, profile: Profile, put: Callable[..., list[float
     side = cross(normal, normalise(along))
     width = 4 * find_extent(deck)
     point = [s - 0.5 * width * v for s, v in zip(start, side)]
-    return Shape({"point": point, "normal": list(normal), "rectangle": {"along": list(normalise(along)), "size": [length, width]}}, normal)
+    return Shape({"point": point, "normal": list(normal),
+                  "rectangle": {"along": list(normalise(along)), "size": [length, width]}}, normal)
 
 
 def find_extent(deck: AbaqusDeck) -> float:
@@ -123,7 +130,8 @@ def add_wall(deck: AbaqusDeck, card: BodyCard) -> None:
     """Notes the wall; finish_wall writes it once it is known how it moves."""
     deck.resolve(deck.mesh.profiles, card.profile, card.place, "analytical surface")
     wall: Deck = {"name": deck.model.names.take(card.profile.replace(".", "_"), "wall")}
-    group = RigidGroup(card.place, set(), set(deck.nodes_of(card.ref, card.place)) if card.ref else set(), wall=wall, card=card)
+    group = RigidGroup(card.place, set(), set(deck.nodes_of(card.ref, card.place)) if card.ref else set(),
+                       wall=wall, card=card)
     group.profile, group.at_center = card.profile.upper(), card.at_center
     deck.groups.append(group)
     deck.group_of_ref |= dict.fromkeys(group.refs, group)
@@ -135,7 +143,8 @@ def is_profile(deck: AbaqusDeck, name: str) -> bool:
 
 
 def finish_wall(deck: AbaqusDeck, group: RigidGroup) -> None:
-    """A wall whose reference node is held in all directions, or moved in one of them; anything else is a body of rigid shells."""
+    """A wall whose reference node is held in all directions, or moved in one of them;
+    anything else is a body of rigid shells."""
     assert group.card is not None  # a group of a wall is made from its card
     profile = deck.resolve(deck.mesh.profiles, group.card.profile, group.place, "analytical surface")
     wall: dict[str, Any] = group.wall or {}
@@ -157,7 +166,8 @@ def finish_wall(deck: AbaqusDeck, group: RigidGroup) -> None:
             wall["direction"] = direction
         wall["speed"] = scale(find_speed(deck, motion, direction, group.place), sign)
     deck.model.add("walls", wall)
-    deck.ledger.translated(CARD, group.place, "walls: a strip, a cylinder or a sphere that stops nodes, at half the thickness of shells")
+    deck.ledger.translated(CARD, group.place,
+                           "walls: a strip, a cylinder or a sphere that stops nodes, at half the thickness of shells")
 
 
 def moves_as_wall(group: RigidGroup, shape: Shape, moved: list[tuple[str, Deck]]) -> bool:
@@ -221,9 +231,11 @@ def list_points(profile: Profile) -> list[tuple[float, float]]:
             points += [(x + (v[0] - x) * i / ALONG, y + (v[1] - y) * i / ALONG) for i in range(1, ALONG + 1)]
         elif word == "CIRCL":
             radius, start = math.hypot(x - v[2], y - v[3]), math.atan2(y - v[3], x - v[2])
-            turn = (math.atan2(v[1] - v[3], v[0] - v[2]) - start + math.pi) % (2 * math.pi) - math.pi  # less than half a turn
+            # less than half a turn
+            turn = (math.atan2(v[1] - v[3], v[0] - v[2]) - start + math.pi) % (2 * math.pi) - math.pi
             pieces = max(1, math.ceil(abs(turn) / PER_ARC))
-            points += [(v[2] + radius * math.cos(start + turn * i / pieces), v[3] + radius * math.sin(start + turn * i / pieces)) for i in range(1, pieces)]
+            points += [(v[2] + radius * math.cos(start + turn * i / pieces),
+                        v[3] + radius * math.sin(start + turn * i / pieces)) for i in range(1, pieces)]
             points.append((v[0], v[1]))
         else:  # a parabola through a point half way
             for i in range(1, ALONG + 1):
@@ -246,11 +258,13 @@ def add_shells(deck: AbaqusDeck, group: RigidGroup, profile: Profile, friction: 
     group.name, group.nodes, group.wall = part.name, deck.model.nodes_of_blocks([part.id]), None
     for other in others:
         if other in deck.model.node_sets:
-            deck.ledger.refuse("CONTACT PAIR.nodes", group.place, "contact of a surface of nodes with an analytical surface of this form", LEFT_OUT)
+            deck.ledger.refuse("CONTACT PAIR.nodes", group.place,
+                               "contact of a surface of nodes with an analytical surface of this form", LEFT_OUT)
         else:
             deck.pairs.append({"a": part.name, "b": other, "friction": friction})
             deck.contact_names[(group.profile, other)] = (other, part.name)
-    deck.ledger.approximated(CARD, group.place, f"rigid shells: arcs by pieces of 5 degrees, {AROUND} around an axis; they touch on both sides")
+    deck.ledger.approximated(CARD, group.place, f"rigid shells: arcs by pieces of 5 degrees, {AROUND} around an axis; "
+                                                "they touch on both sides")
 
 
 def sweep_around(deck: AbaqusDeck, mesh: Mesh, profile: Profile) -> None:
@@ -265,7 +279,7 @@ def sweep_around(deck: AbaqusDeck, mesh: Mesh, profile: Profile) -> None:
         ring = []
         for i in range(AROUND):
             c, s = r * math.cos(2 * math.pi * i / AROUND), r * math.sin(2 * math.pi * i / AROUND)
-            ring.append(mesh.add(tuple(p + c * f + s * g for p, f, g in zip(at, first, second))))  # type: ignore[arg-type]
+            ring.append(mesh.add(make_vector(p + c * f + s * g for p, f, g in zip(at, first, second))))
         rings.append(ring)
     for below, above in zip(rings, rings[1:]):
         for i in range(AROUND):
@@ -287,7 +301,8 @@ def sweep_along(deck: AbaqusDeck, mesh: Mesh, profile: Profile) -> None:
         row = []
         for i in range(ALONG + 1):
             s = low - margin + (high - low + 2 * margin) * i / ALONG
-            row.append(mesh.add(tuple(o + x * f + y * a + s * g for o, f, a, g in zip(profile.origin, first, axis, generator))))  # type: ignore[arg-type]
+            axes = zip(profile.origin, first, axis, generator)
+            row.append(mesh.add(make_vector(o + x * f + y * a + s * g for o, f, a, g in axes)))
         rows.append(row)
     for below, above in zip(rows, rows[1:]):
         mesh.shells += [(below[i], below[i + 1], above[i + 1], above[i]) for i in range(ALONG)]

@@ -16,13 +16,16 @@ def read_type(deck: AbaqusDeck, block: Block) -> None:
     for line in block.lines:
         word = block.text(line, 0).upper()
         if word not in KINDS:
-            raise BadInput(block.at(line[0]), f"'{clip(word)}' in *{block.keyword} is none of INTEGER, FLOAT and STRING: correct it")
+            raise BadInput(block.at(line[0]),
+                           f"'{clip(word)}' in *{block.keyword} is none of INTEGER, FLOAT and STRING: correct it")
         if any(line[1][2:]):
-            deck.ledger.refuse("PARAMETER TABLE TYPE.default", block.at(line[0]), "a default of a parameter table", "a blank is 0")
+            deck.ledger.refuse("PARAMETER TABLE TYPE.default", block.at(line[0]),
+                               "a default of a parameter table", "a blank is 0")
         kinds.append(KINDS[word])
     wanted = parse_integer(block.option("PARAMETERS") or str(len(kinds)))
     if not kinds or wanted != len(kinds):
-        raise BadInput(block.place, f"*{block.keyword} has {len(kinds)} kinds of columns (PARAMETERS={clip(block.option('PARAMETERS'))}): correct one of them")
+        raise BadInput(block.place, f"*{block.keyword} has {len(kinds)} kinds of columns "
+                                    f"(PARAMETERS={clip(block.option('PARAMETERS'))}): correct one of them")
     deck.names.claim("*PARAMETER TABLE TYPE", block.option("NAME"), block.place)
     deck.parameter_tables.kinds[block.option("NAME")] = kinds
     deck.ledger.translated(block.keyword, block.place, "columns of parameter_tables")
@@ -40,7 +43,8 @@ def read_table(deck: AbaqusDeck, block: Block) -> None:
     """Rows of values; one that is longer than a line goes on in the next."""
     tables = deck.parameter_tables
     if not tables.is_open:
-        deck.ledger.refuse("PARAMETER TABLE.outside", block.place, "a parameter table outside of a *TABLE COLLECTION", INSTEAD)
+        deck.ledger.refuse("PARAMETER TABLE.outside", block.place,
+                           "a parameter table outside of a *TABLE COLLECTION", INSTEAD)
         return
     kinds = tables.kinds.get(block.option("TYPE"))
     if kinds is None:

@@ -113,7 +113,8 @@ def join_loads(windows: list[Window], end: float) -> Points:
 def cut(points: Points, window: Window) -> Points:
     """The part of a curve that lies in a window, with its ends."""
     inner = [(x, y) for x, y in points if window.start < x < window.end]
-    return [(window.start, interpolate_steps(points, window.start, after=True)), *inner, (window.end, interpolate_steps(points, window.end))]
+    return [(window.start, interpolate_steps(points, window.start, after=True)), *inner,
+            (window.end, interpolate_steps(points, window.end))]
 
 
 def join_displacements(windows: list[Window]) -> Points:
@@ -142,7 +143,8 @@ def join_velocities(windows: list[Window]) -> Points:
 
 def is_whole(windows: list[Window], end: float) -> bool:
     """Whether something acts at each time of the run."""
-    return windows[0].start <= 0 and windows[-1].end >= end and all(a.end == b.start for a, b in zip(windows, windows[1:]))
+    return (windows[0].start <= 0 and windows[-1].end >= end
+            and all(a.end == b.start for a, b in zip(windows, windows[1:])))
 
 
 def split_groups(windows: list[Window]) -> list[list[Window]]:

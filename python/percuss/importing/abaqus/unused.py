@@ -21,10 +21,12 @@ def note_definitions(deck: AbaqusDeck) -> None:
         if fate:
             deck.ledger.ignored(block.keyword, block.place, fate)
         else:
-            deck.ledger.translated(block.keyword, block.place, OF_WHAT.get(block.keyword, "of a material or an interaction that the model has"))
+            deck.ledger.translated(block.keyword, block.place,
+                                   OF_WHAT.get(block.keyword, "of a material or an interaction that the model has"))
 
 
-OF_WHAT = {"FRICTION": "friction of contact", "SURFACE INTERACTION": "friction and bonds of contact", "SECTION CONTROLS": "what its sections say of their elements"}
+OF_WHAT = {"FRICTION": "friction of contact", "SURFACE INTERACTION": "friction and bonds of contact",
+           "SECTION CONTROLS": "what its sections say of their elements"}
 
 
 def list_materials(deck: AbaqusDeck) -> Iterator[tuple[Block, str]]:
@@ -55,15 +57,18 @@ def note_replaced(deck: AbaqusDeck) -> None:
     turning = deck.model.turning_nodes() | deck.group_of_ref.keys() | list_leaders(deck).keys() | deck.leaders
     for timeline in (deck.motions, deck.loads):
         acting = {window.action.place: "" for windows in timeline.windows.values() for window in windows}
-        acting |= {window.action.place: "acts" for target, windows in timeline.windows.items() for window in windows if not is_idle(target, turning)}
+        acting |= {window.action.place: "acts" for target, windows in timeline.windows.items()
+                   for window in windows if not is_idle(target, turning)}
         for place in timeline.lines:
             keyword = deck.keywords_of_lines[place]
             if deck.ledger.tells_of(place, place.line):
                 continue
             if acting.get(place):
-                deck.ledger.translated(keyword, place, "acts with those of other steps or lines, whose rows say as what")
+                deck.ledger.translated(keyword, place,
+                                       "acts with those of other steps or lines, whose rows say as what")
             else:
-                deck.ledger.ignored(keyword, place, "its nodes have no rotations" if place in acting else "another one takes its place before it acts")
+                deck.ledger.ignored(keyword, place, "its nodes have no rotations" if place in acting
+                                    else "another one takes its place before it acts")
 
 
 def is_idle(target: tuple, turning: set[int]) -> bool:

@@ -1,4 +1,5 @@
-"""*USER MATERIAL, *PLASTIC, HARDENING=USER and *USER DEFINED FIELD: code of the user (VUMAT, VUHARD, VUSDFLD), in a library that the command line names."""
+"""*USER MATERIAL, *PLASTIC, HARDENING=USER and *USER DEFINED FIELD: code of the user (VUMAT, VUHARD, VUSDFLD),
+in a library that the command line names."""
 
 from ..fields import clip, parse_integer
 from ..ledger import BadInput
@@ -15,11 +16,13 @@ def translate_user_code(deck: AbaqusDeck, name: str, user: Block, states: Block 
     """The law of a compiled VUMAT. states: *DEPVAR, if there is one."""
     ledger = deck.ledger
     if not ledger.user_code:
-        text = f"material {clip(name)} is user code (no library has it): compile the VUMAT (docs/user_laws.md) and add --allow-library FILE"
+        text = (f"material {clip(name)} is user code (no library has it): "
+                "compile the VUMAT (docs/user_laws.md) and add --allow-library FILE")
         ledger.refuse("USER MATERIAL", user.place, text, LEFT_OUT)
         return None
     if user.option("TYPE") not in ("", "MECHANICAL"):
-        ledger.refuse("USER MATERIAL.TYPE", user.place, f"user code of the type {clip(user.option('TYPE'))}", "it is taken as mechanical")
+        ledger.refuse("USER MATERIAL.TYPE", user.place, f"user code of the type {clip(user.option('TYPE'))}",
+                      "it is taken as mechanical")
     law: Deck = {"model": "user", "vumat": ledger.user_code, "vumat_name": name.upper()}
     return law if add_arrays(deck, name, law, user, states) else None
 
@@ -27,15 +30,18 @@ def translate_user_code(deck: AbaqusDeck, name: str, user: Block, states: Block 
 def add_lengths(deck: AbaqusDeck, law: Deck, block: Block) -> None:
     """*CHARACTERISTIC LENGTH of user code: those of VUCHARLENGTH, or that of the volume, which is percuss' own."""
     if block.option("DEFINITION") not in ("", "GEOMETRIC MEAN", "USER"):
-        raise BadInput(block.place, f"DEFINITION={clip(block.option('DEFINITION'))} of *{block.keyword} is neither GEOMETRIC MEAN nor USER: correct it")
+        raise BadInput(block.place, f"DEFINITION={clip(block.option('DEFINITION'))} of *{block.keyword} is neither "
+                                    "GEOMETRIC MEAN nor USER: correct it")
     if block.option("DEFINITION") != "USER":
         deck.ledger.translated(block.keyword, block.place, "the length that user code gets anyway")
         return
     count = parse_integer(block.option("COMPONENTS") or "1")
     if count is None or count < 1:
-        raise BadInput(block.place, f"COMPONENTS={clip(block.option('COMPONENTS'))} of *{block.keyword} is not a positive number: correct it")
+        raise BadInput(block.place, f"COMPONENTS={clip(block.option('COMPONENTS'))} of *{block.keyword} is not a "
+                                    "positive number: correct it")
     if count > MOST_LENGTHS:
-        deck.ledger.refuse("CHARACTERISTIC LENGTH.COMPONENTS", block.place, f"{count} characteristic lengths (at most {MOST_LENGTHS})", f"there are {MOST_LENGTHS}")
+        deck.ledger.refuse("CHARACTERISTIC LENGTH.COMPONENTS", block.place,
+                           f"{count} characteristic lengths (at most {MOST_LENGTHS})", f"there are {MOST_LENGTHS}")
     law["characteristic_lengths"] = min(count, MOST_LENGTHS)
     constants = read_constants(block)
     if constants:
@@ -54,22 +60,26 @@ def add_fields(deck: AbaqusDeck, law: Deck, block: Block) -> None:
     """*USER DEFINED FIELD beside user code: VUSDFLD of the same library."""
     constants, wanted = read_constants(block), parse_integer(block.option("PROPERTIES") or "0")
     if wanted is None or not 0 <= wanted - len(constants) <= 8:
-        raise BadInput(block.place, f"*{block.keyword} has {len(constants)} constants (PROPERTIES={clip(block.option('PROPERTIES'))}): correct one of them")
+        raise BadInput(block.place, f"*{block.keyword} has {len(constants)} constants "
+                                    f"(PROPERTIES={clip(block.option('PROPERTIES'))}): correct one of them")
     constants += [0.0] * (wanted - len(constants))
     if len(constants) > MOST_CONSTANTS or deck.field_count > MOST_FIELDS:
-        text = f"{deck.field_count} fields and {len(constants)} constants of VUSDFLD (at most {MOST_FIELDS} and {MOST_CONSTANTS})"
+        text = (f"{deck.field_count} fields and {len(constants)} constants of VUSDFLD "
+                f"(at most {MOST_FIELDS} and {MOST_CONSTANTS})")
         deck.ledger.refuse(block.keyword, block.place, text, "VUSDFLD is not called")
         return
     law["field_variables"] = deck.field_count
     if constants:
         law["field_constants"] = constants
-    deck.ledger.translated(block.keyword, block.place, f"field_variables: VUSDFLD of the library sets {deck.field_count}")
+    deck.ledger.translated(block.keyword, block.place,
+                           f"field_variables: VUSDFLD of the library sets {deck.field_count}")
 
 
 def read_field(deck: AbaqusDeck, block: Block) -> None:
     """*INITIAL CONDITIONS, TYPE=FIELD: values of nodes before VUSDFLD sets those of the points."""
     if any(block.number(line, i) for line in block.lines for i in range(1, 8)):
-        deck.ledger.refuse("INITIAL CONDITIONS.FIELD", block.place, "a field at the start other than 0", "fields begin with 0")
+        deck.ledger.refuse("INITIAL CONDITIONS.FIELD", block.place,
+                           "a field at the start other than 0", "fields begin with 0")
     else:
         deck.ledger.ignored("INITIAL CONDITIONS.FIELD", block.place, "fields begin with 0 anyway")
 
@@ -78,7 +88,8 @@ def translate_hardening(deck: AbaqusDeck, name: str, law: Deck, plastic: Block, 
     """The law of a compiled VUHARD. law: that of *ELASTIC."""
     ledger = deck.ledger
     if not ledger.user_code:
-        text = "hardening by a subroutine of the user (no library has it): compile the VUHARD (docs/user_laws.md) and add --allow-library FILE"
+        text = ("hardening by a subroutine of the user (no library has it): "
+                "compile the VUHARD (docs/user_laws.md) and add --allow-library FILE")
         ledger.refuse("PLASTIC.HARDENING", plastic.place, text, "the material is elastic")
         return law
     elastic = {key: law[key] for key in ("youngs_modulus", "poissons_ratio")}
@@ -92,16 +103,19 @@ def add_arrays(deck: AbaqusDeck, name: str, law: Deck, user: Block, states: Bloc
     constants = read_constants(user)
     wanted = parse_integer(user.option(option))
     if wanted is None:
-        raise BadInput(user.place, f"{option}={clip(user.option(option))} of *{user.keyword} is not a number: correct it")
+        raise BadInput(user.place,
+                       f"{option}={clip(user.option(option))} of *{user.keyword} is not a number: correct it")
     if 0 <= wanted - len(constants) <= 8:  # blanks at the end of the last line are zeros
         constants += [0.0] * (wanted - len(constants))
     count = 0
     if states is not None and states.lines:
         count = states.integer(states.lines[0], 0)
     if wanted != len(constants):
-        raise BadInput(user.place, f"*{user.keyword} has {len(constants)} constants ({option}={wanted}): correct one of them")
+        raise BadInput(user.place,
+                       f"*{user.keyword} has {len(constants)} constants ({option}={wanted}): correct one of them")
     if len(constants) > MOST_CONSTANTS or not 0 <= count <= MOST_STATES:
-        text = f"material {clip(name)} has {len(constants)} constants and {count} state variables (at most {MOST_CONSTANTS} and {MOST_STATES})"
+        text = (f"material {clip(name)} has {len(constants)} constants and {count} state variables "
+                f"(at most {MOST_CONSTANTS} and {MOST_STATES})")
         deck.ledger.refuse(user.keyword, user.place, text, LEFT_OUT)
         return False
     if constants:
@@ -131,14 +145,17 @@ def read_deletion(states: Block, count: int) -> int:
     """Which state variable deletes elements."""
     number = parse_integer(states.option("DELETE"))
     if number is None or not 1 <= number <= count:
-        raise BadInput(states.place, f"DELETE={clip(states.option('DELETE'))} of *DEPVAR is none of {count} state variables: correct it")
+        raise BadInput(states.place, f"DELETE={clip(states.option('DELETE'))} of *DEPVAR is none of {count} state "
+                                     "variables: correct it")
     return number
 
 
 def read_solution(deck: AbaqusDeck, block: Block) -> None:
-    """*INITIAL CONDITIONS, TYPE=SOLUTION: state variables of user code, seven behind the name of the elements, eight in each line that follows."""
+    """*INITIAL CONDITIONS, TYPE=SOLUTION: state variables of user code, seven behind the name of the elements,
+    eight in each line that follows."""
     if not has_user_code(deck):
-        deck.ledger.ignored("INITIAL CONDITIONS.SOLUTION", block.place, "state variables of user code: the laws that are read have none")
+        deck.ledger.ignored("INITIAL CONDITIONS.SOLUTION", block.place,
+                            "state variables of user code: the laws that are read have none")
         return
     laws, lines = deck.model.materials, iter(block.lines)
     for line in lines:
@@ -151,7 +168,8 @@ def read_solution(deck: AbaqusDeck, block: Block) -> None:
             values += [block.number(more, i) for i in range(8)]
         deck.states.update(dict.fromkeys(elements, tuple(values[:count])))
         if any(values[count:]):
-            deck.ledger.ignored("INITIAL CONDITIONS.SOLUTION", place, f"more state variables at the start than the {count} of *DEPVAR")
+            deck.ledger.ignored("INITIAL CONDITIONS.SOLUTION", place,
+                                f"more state variables at the start than the {count} of *DEPVAR")
     deck.states_place = block.place
 
 

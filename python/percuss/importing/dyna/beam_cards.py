@@ -28,10 +28,12 @@ def read_beams(deck: KeywordDeck, card: Card) -> None:
         if ends[0] == ends[1]:
             raise BadInput(card.at(line[0]), f"beam {id} has the same node at both ends: correct it")
         if any(text not in ("", "0") for text in texts[5:9]):
-            deck.ledger.refuse("ELEMENT_BEAM.RT1", card.at(line[0]), "released ends of beams", "the ends stay connected")
+            deck.ledger.refuse("ELEMENT_BEAM.RT1", card.at(line[0]), "released ends of beams",
+                               "the ends stay connected")
         if "PID" in options:
             reader.take()
-            deck.ledger.approximated(card.keyword, card.place, "spot welds hold the nearest of the parts that their contact names, and not PID1 and PID2")
+            deck.ledger.approximated(card.keyword, card.place, "spot welds hold the nearest of the parts that their "
+                                                               "contact names, and not PID1 and PID2")
         deck.element_lines["beams"].note(card.at(line[0]), id)
         toward = read_toward(reader) if "ORIENTATION" in options else None
         elements_of(deck, part, card.at(line[0])).beams.append(BeamElement(id, ends, third, toward))
@@ -52,7 +54,9 @@ def translate_beam_section(deck: KeywordDeck, card: Card) -> Deck | None:
     kind = row.integer("CST")
     if row.number("QR") < 0 and form == 1:
         return make_ruled(deck, row)
-    if row.number("QR") < 0 and not deck.ledger.refuse("SECTION_BEAM.QR", row.place, f"a rule of integration with formulation {form}", "the section of the card is used"):
+    if row.number("QR") < 0 and not deck.ledger.refuse("SECTION_BEAM.QR", row.place,
+                                                       f"a rule of integration with formulation {form}",
+                                                       "the section of the card is used"):
         return None
     row.skip("SECID", "SHRF", "QR", "NSM")
     row.finish(deck.ledger, "it is left out")
@@ -68,13 +72,14 @@ def translate_beam_section(deck: KeywordDeck, card: Card) -> Deck | None:
         more.finish(deck.ledger, "it begins without a stress")
         deck.ledger.translated(card.keyword, row.place, "trusses")
         return {"truss": {"area": area}}
-    deck.ledger.refuse("SECTION_BEAM.ELFORM", row.place, f"formulation {form} of beams (1, 2, 3 and 9 are read)", LEFT_OUT)
+    deck.ledger.refuse("SECTION_BEAM.ELFORM", row.place,
+                       f"formulation {form} of beams (1, 2, 3 and 9 are read)", LEFT_OUT)
     return None
 
 
 # ICST of *INTEGRATION_BEAM.
-SHAPES = ("points", "I", "channel", "angle", "T", "box", "Z", "trapezoid", "circle", "tube", "I 2", "rectangle", "cross", "H", "T 2", "I 3", "channel 2", "channel 3", "T 3", "box 2",
-          "hexagon", "hat", "hat 2")  # fmt: skip
+SHAPES = ("points", "I", "channel", "angle", "T", "box", "Z", "trapezoid", "circle", "tube", "I 2", "rectangle",
+          "cross", "H", "T 2", "I 3", "channel 2", "channel 3", "T 3", "box 2", "hexagon", "hat", "hat 2")  # fmt: skip
 
 
 def read_rules(deck: KeywordDeck, card: Card) -> None:
@@ -85,7 +90,8 @@ def read_rules(deck: KeywordDeck, card: Card) -> None:
         shape, points = row.integer("ICST"), row.integer("NIP")
         row.skip("RA", "K")
         deck.ids.claim("*INTEGRATION_BEAM", row.integer("IRID"), row.place)
-        deck.rules[row.integer("IRID")] = row, reader.row("D1 D2 D3 D4 SREF TREF D5~unused D6~unused") if shape else None
+        deck.rules[row.integer("IRID")] = (row,
+                                           reader.row("D1 D2 D3 D4 SREF TREF D5~unused D6~unused") if shape else None)
         for _ in range(points if reader else 0):
             reader.take()
 
@@ -100,11 +106,13 @@ def make_ruled(deck: KeywordDeck, section: Row) -> Deck | None:
     name = SHAPES[shape] if 0 <= shape < len(SHAPES) else "unknown shape"
     if row.integer("NIP") or sizes is None or name not in ("circle", "tube", "rectangle", "I", "box"):
         what = "points of its own" if sizes is None or row.integer("NIP") else f"the shape of ICST {shape} ({name})"
-        deck.ledger.refuse("INTEGRATION_BEAM.ICST", row.place, f"a section of beams with {what}: circle, tube, rectangle, box and I are read", LEFT_OUT)
+        deck.ledger.refuse("INTEGRATION_BEAM.ICST", row.place,
+                           f"a section of beams with {what}: circle, tube, rectangle, box and I are read", LEFT_OUT)
         return None
     first, second = sizes.numbers("D1", "D2")
     if any(sizes.numbers("SREF", "TREF")):
-        deck.ledger.refuse("INTEGRATION_BEAM.SREF", sizes.place, "nodes that are not in the middle of the section", "they are")
+        deck.ledger.refuse("INTEGRATION_BEAM.SREF", sizes.place,
+                           "nodes that are not in the middle of the section", "they are")
     section.skip("SECID", "SHRF", "QR", "CST", "NSM")
     section.finish(deck.ledger, "it is left out")
     if name in ("I", "box"):
@@ -117,7 +125,8 @@ def make_ruled(deck: KeywordDeck, section: Row) -> Deck | None:
         sizes.fail("D2", f"it must be below D1, the outer radius, which is {first:g}")
     if name == "rectangle":
         return {"rectangle": {"size": [first, second]}}
-    return {"round": {"radius": first}} if name == "circle" else {"tube": {"outer_radius": first, "inner_radius": second}}
+    return ({"round": {"radius": first}} if name == "circle"
+            else {"tube": {"outer_radius": first, "inner_radius": second}})
 
 
 def make_walls(deck: KeywordDeck, row: Row, sizes: Row, name: str) -> Deck:
@@ -127,7 +136,8 @@ def make_walls(deck: KeywordDeck, row: Row, sizes: Row, name: str) -> Deck:
     for field in ("D1", "D2", "D3", "D4"):
         sizes.positive(field)
     if 2 * flange >= depth or webs * web >= width:
-        sizes.fail("D1", "a width, the thickness of flanges, a depth above two of them and the thickness of webs are expected")
+        sizes.fail("D1", "a width, the thickness of flanges, "
+                         "a depth above two of them and the thickness of webs are expected")
     if name == "box" and flange == web:
         deck.ledger.translated("INTEGRATION_BEAM", row.place, "section: box")
         return {"box": {"size": [width, depth], "wall": flange}}
@@ -142,8 +152,8 @@ def make_walls(deck: KeywordDeck, row: Row, sizes: Row, name: str) -> Deck:
     text = "section: general constants of a box with thin walls; shear in flanges along s, in webs along t"
     deck.ledger.approximated("INTEGRATION_BEAM", row.place, text)
     return {
-        "general": {"area": sum(a * b for a, b in across), "inertia_y": about_s, "inertia_z": about_t, "torsion": torsion,
-                    "shear_area_y": 2 * width * flange * 5 / 6, "shear_area_z": 2 * web * depth}
+        "general": {"area": sum(a * b for a, b in across), "inertia_y": about_s, "inertia_z": about_t,
+                    "torsion": torsion, "shear_area_y": 2 * width * flange * 5 / 6, "shear_area_z": 2 * web * depth}
     }  # fmt: skip
 
 
@@ -151,7 +161,8 @@ def make_weld(deck: KeywordDeck, reader: Lines) -> Deck | None:
     """ELFORM 9, a spot weld: a tube whatever CST says."""
     more = reader.row("TS1 TS2 TT1 TT2 PRINT~output UNUSED~unused ITOFF")
     if more.integer("ITOFF"):
-        deck.ledger.refuse("SECTION_BEAM.ITOFF", more.place, "spot welds that turn freely about their axis", "they resist torsion")
+        deck.ledger.refuse("SECTION_BEAM.ITOFF", more.place,
+                           "spot welds that turn freely about their axis", "they resist torsion")
     return make_widths(deck, more, 1)
 
 
@@ -165,14 +176,16 @@ def make_widths(deck: KeywordDeck, more: Row, kind: int) -> Deck | None:
     s, s2, t, t2 = more.numbers("TS1", "TS2", "TT1", "TT2")
     more.finish(deck.ledger, "the nodes are in the middle of the section")
     if (s2 and s2 != s) or (t2 and t2 != t):
-        deck.ledger.refuse("SECTION_BEAM.TS2", more.place, "sections that differ between the ends", "those of the first node are used")
+        deck.ledger.refuse("SECTION_BEAM.TS2", more.place, "sections that differ between the ends",
+                           "those of the first node are used")
     more.positive("TS1")
     if kind == 0:
         more.positive("TT1")
     elif kind == 1 and more.not_negative("TT1") >= s:
         more.fail("TT1", f"it must be below TS1, the outer diameter, which is {s:g}")
     deck.ledger.approximated(
-        "SECTION_BEAM", more.place, "percuss has one beam: one point along it, normal stress in fibres, elastic shear (factor 5/6 or 9/10) and torque"
+        "SECTION_BEAM", more.place, "percuss has one beam: one point along it, normal stress in fibres, elastic shear "
+                                    "(factor 5/6 or 9/10) and torque"
     )
     if kind == 0:
         return {"rectangle": {"size": [s, t]}}
@@ -201,7 +214,8 @@ def make_general(deck: KeywordDeck, reader: Lines) -> Deck:
 
 
 def width_of_section(section: Deck) -> float:
-    """Diameter with which a beam of LS-DYNA touches: the first width of ELFORM 1 and 9, the root of the area of 2 and 3."""
+    """Diameter with which a beam of LS-DYNA touches: the first width of ELFORM 1 and 9,
+    the root of the area of 2 and 3."""
     if "round" in section:
         return 2 * section["round"]["radius"]
     if "tube" in section:
@@ -216,7 +230,8 @@ def width_of_section(section: Deck) -> float:
 def has_axes(section: Deck) -> bool:
     """As percuss judges whether it matters how a section is turned."""
     general = section.get("general")
-    return bool({"rectangle", "box", "i_shape"} & section.keys()) or (general is not None and general["inertia_y"] != general["inertia_z"])
+    return (bool({"rectangle", "box", "i_shape"} & section.keys())
+            or (general is not None and general["inertia_y"] != general["inertia_z"]))
 
 
 def divide_beams(deck: KeywordDeck, part: PartCard, beams: list[BeamElement], name: str, next_id: int) -> list[Block]:
@@ -227,15 +242,18 @@ def divide_beams(deck: KeywordDeck, part: PartCard, beams: list[BeamElement], na
     area = section_area(section)
     if area <= 0:
         raise BadInput(part.place, f"the section of part {part.id} is too small for a number of its area: correct it")
-    per_length = deck.sections[part.section].reader().row("SECID ELFORM=1 SHRF QR CST SCOOR NSM NAUPD").not_negative("NSM")
+    per_length = (deck.sections[part.section].reader().row("SECID ELFORM=1 SHRF QR CST SCOOR NSM NAUPD")
+                  .not_negative("NSM"))
     if per_length > 0:
-        deck.ledger.translated("SECTION_BEAM.NSM", part.place, "a higher density in a material of its own, rotary inertia too")
+        deck.ledger.translated("SECTION_BEAM.NSM", part.place,
+                               "a higher density in a material of its own, rotary inertia too")
     groups: dict[tuple[tuple[float, ...], int], list[tuple[int, tuple[int, ...]]]] = {}
     for beam in beams:
         toward = find_direction(deck, part, beam) if has_axes(section) else ()
         groups.setdefault((toward, deck.bolt_of_beam.get(beam.id, -1)), []).append((beam.id, beam.ends))
     if len(groups) > MOST_DIRECTIONS:
-        raise BadInput(part.place, f"the beams of part {part.id} are turned or preloaded in {len(groups)} ways (at most {MOST_DIRECTIONS})")
+        raise BadInput(part.place, f"the beams of part {part.id} are turned or preloaded in {len(groups)} ways "
+                                   f"(at most {MOST_DIRECTIONS})")
     blocks = []
     for index, ((toward, bolt), members) in enumerate(sorted(groups.items(), key=lambda item: -len(item[1]))):
         keys: Deck = {"section": section, **({"toward": list(toward)} if toward else {})}
@@ -257,8 +275,10 @@ def find_direction(deck: KeywordDeck, part: PartCard, beam: BeamElement) -> tupl
         if node not in deck.nodes:
             raise BadInput(part.place, missing(f"node {node}, of beam {beam.id} (N3 says how its section is turned)"))
     start = deck.nodes[beam.ends[0]]
-    axis, to_third = normalise(subtract(deck.nodes[beam.ends[1]], start)), beam.toward or subtract(deck.nodes[beam.third], start)
+    axis, to_third = (normalise(subtract(deck.nodes[beam.ends[1]], start)),
+                      beam.toward or subtract(deck.nodes[beam.third], start))
     across = cross(cross(axis, to_third), axis)
     if dot(across, across) <= 1e-12 * dot(to_third, to_third):
-        raise BadInput(part.place, f"{'the orientation' if beam.toward else 'N3'} of beam {beam.id} lies along the beam")
+        raise BadInput(part.place,
+                       f"{'the orientation' if beam.toward else 'N3'} of beam {beam.id} lies along the beam")
     return tuple(round(c, 6) + 0.0 for c in normalise(across))

@@ -1,4 +1,5 @@
-"""Which rigid body a node belongs to: nodes of rigid parts, nodes added to them, nodes of nodal rigid bodies, with and without elements."""
+"""Which rigid body a node belongs to: nodes of rigid parts, nodes added to them, nodes of nodal rigid bodies,
+with and without elements."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -26,7 +27,8 @@ def is_driven(deck: KeywordDeck, id: int) -> bool:
     """Whether a rigid part cannot turn, and moves along curves or not at all."""
     if id not in deck.rigid:
         return False
-    rows = [row for row in deck.rigid_motions.get(id, []) if row.number("BIRTH") <= 0 and not 0 < row.number("DEATH") < deck.end_time]
+    rows = [row for row in deck.rigid_motions.get(id, [])
+            if row.number("BIRTH") <= 0 and not 0 < row.number("DEATH") < deck.end_time]
     held, moved = set(deck.rigid[id].held), {row.integer("DOF") for row in rows}
     return held >= {"rx", "ry", "rz"} and all(axis in held or dof in moved for dof, axis in enumerate("xyz", 1))
 

@@ -1,4 +1,5 @@
-"""What holds or moves rigid bodies: supports and motions at their nodes, with or without elements, and of their mass centres."""
+"""What holds or moves rigid bodies: supports and motions at their nodes, with or without elements,
+and of their mass centres."""
 
 import math
 from collections.abc import Iterable
@@ -91,7 +92,8 @@ class BodyHolds:
             self.hold_center()
 
     def knows_center(self, fixed: list[str]) -> bool:
-        """Whether what is said of the points holds of the mass centre too: the body does not turn about the other axes."""
+        """Whether what is said of the points holds of the mass centre too:
+        the body does not turn about the other axes."""
         for hold in self.holds:
             if hold.point and hold.direction in AXES:
                 others = [f"r{axis}" for axis in AXES if axis != hold.direction]
@@ -114,23 +116,27 @@ class BodyHolds:
             if (hold.direction, motion) in read:
                 continue
             read.append((hold.direction, motion))
-            joined = motion if known is None else join_motions(self.deck, known, motion) or join_motions(self.deck, motion, known)
+            joined = (motion if known is None
+                      else join_motions(self.deck, known, motion) or join_motions(self.deck, motion, known))
             if hold.direction in already or joined is None:
-                ledger.refuse(f"{hold.card}.two", hold.place, f"a second condition on direction {hold.direction} of a rigid body", "it is left out")
+                ledger.refuse(f"{hold.card}.two", hold.place,
+                              f"a second condition on direction {hold.direction} of a rigid body", "it is left out")
             else:
                 found[hold.direction] = joined
         for motion in found.values():
             self.deck.model.add("conditions", {"body": self.body, **motion})
         for hold in self.holds:
             if not hold.motion and hold.direction in moved:
-                ledger.approximated(f"{hold.card}.moved", hold.place, "where a rigid body is held and moved in one direction, the motion counts")
+                ledger.approximated(f"{hold.card}.moved", hold.place,
+                                    "where a rigid body is held and moved in one direction, the motion counts")
             else:
                 ledger.translated(hold.card, hold.place, "conditions of the rigid body")
 
     def add_joint(self, rows: Rows) -> bool:
         """A body that turns about a point or an axis which is held: a joint to the ground. False: it is none."""
         points = [hold.point for hold in self.holds if hold.direction in AXES]
-        if any(hold.motion or not hold.point for hold in self.holds) or not points or self.deck.held_of_body.get(self.body):
+        if (any(hold.motion or not hold.point for hold in self.holds) or not points
+                or self.deck.held_of_body.get(self.body)):
             return False
         entry: Deck | None = None
         if len(rows.basis) == 3 and len(set(points)) == 1 and len(points) >= 3:
@@ -147,7 +153,8 @@ class BodyHolds:
 
     def find_hinge(self, rows: Rows) -> tuple[Vector, Vector] | None:
         """A point and the direction of the axis about which a body may turn; None: it moves in another way."""
-        free = max((rows.reduce(tuple(1.0 if i == k else 0.0 for i in range(6))) for k in range(6)), key=lambda row: math.hypot(*row))
+        free = max((rows.reduce(tuple(1.0 if i == k else 0.0 for i in range(6))) for k in range(6)),
+                   key=lambda row: math.hypot(*row))
         spin: Vector = (free[3], free[4], free[5])
         velocity: Vector = (free[0] * self.size, free[1] * self.size, free[2] * self.size)
         square = dot(spin, spin)
@@ -158,18 +165,22 @@ class BodyHolds:
         return point, normalise(spin)  # type: ignore[return-value]
 
     def hold_center(self) -> None:
-        """What no joint and no condition of percuss says of points: supports act on the mass centre, as LS-DYNA has them; motions are refused."""
+        """What no joint and no condition of percuss says of points: supports act on the mass centre,
+        as LS-DYNA has them; motions are refused."""
         directions = list(dict.fromkeys(hold.direction for hold in self.holds))
         moving = [hold for hold in self.holds if hold.motion and hold.point and hold.direction in AXES]
         problem = "a motion of a point of a rigid body about which it may turn"
-        if moving and not self.deck.ledger.refuse(f"{moving[0].card}.body", moving[0].place, problem, "it acts on the mass centre"):
+        if moving and not self.deck.ledger.refuse(f"{moving[0].card}.body", moving[0].place, problem,
+                                                  "it acts on the mass centre"):
             return
         if not moving:
-            self.deck.ledger.approximated(f"{self.holds[0].card}.body", self.holds[0].place, "supports at points of a rigid body act on its mass centre")
+            self.deck.ledger.approximated(f"{self.holds[0].card}.body", self.holds[0].place,
+                                          "supports at points of a rigid body act on its mass centre")
         self.add_conditions(directions)
 
 
-def hold_points(deck: KeywordDeck, body: str, points: Iterable[Vector | None], directions: dict[str, Deck | None], place: Place, card: str) -> None:
+def hold_points(deck: KeywordDeck, body: str, points: Iterable[Vector | None], directions: dict[str, Deck | None],
+                place: Place, card: str) -> None:
     """Notes that points of a body are held (None) or moved in some directions."""
     for point in points:
         for direction, motion in directions.items():

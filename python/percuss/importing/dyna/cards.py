@@ -58,26 +58,31 @@ class Card:
                 width = max(width, self.least_width)
                 texts.append(text[first : first + width].strip())
                 first += width
-                if text[first - 1 : first] > " " and text[first : first + 1] > " " and width < HEADING and (index < len(names) or not names):
+                if (text[first - 1 : first] > " " and text[first : first + 1] > " " and width < HEADING
+                        and (index < len(names) or not names)):
                     self._refuse_cut(line, first, widths, names[index] if names else "")
         if "&" in text:
-            texts = [self._replace(word, number, widths[i] if i < len(widths) else 0) if "&" in word else word for i, word in enumerate(texts)]
+            texts = [self._replace(word, number, widths[i] if i < len(widths) else 0) if "&" in word else word
+                     for i, word in enumerate(texts)]
         return texts
 
     def _refuse_cut(self, line: tuple[int, str], border: int, widths: tuple[int, ...], name: str) -> None:
-        """A number over the end of its column, also where each half of it reads as one. name: of the field; empty: not known."""
+        """A number over the end of its column, also where each half of it reads as one.
+        name: of the field; empty: not known."""
         borders = list(accumulate(max(width, self.least_width) for width in widths))
         word = find_cut_number(line[1], border, borders)
         if word:
             field = f"{name} of *{self.keyword}" if name else f"a field of *{self.keyword}"
             width = border - max((b for b in borders if b < border), default=0)
-            raise BadInput(self.at(line[0]), f"{field} is cut (column {border} ends a field of {width} and cuts '{clip(word)}'): shift it, or write commas")
+            raise BadInput(self.at(line[0]), f"{field} is cut (column {border} ends a field of {width} and cuts "
+                                             f"'{clip(word)}'): shift it, or write commas")
 
     def _refuse_tab(self, line: tuple[int, str], widths: tuple[int, ...]) -> None:
         """A tab before the end of the fields, headings apart: nobody sees which column follows it."""
         end = sum(max(width, self.least_width) for width in widths if width < HEADING)
         if "\t" in line[1].rstrip()[:end]:
-            raise BadInput(self.at(line[0]), "a tab stands in a line of columns (LS-DYNA takes it as one, an editor as several): write blanks or commas")
+            raise BadInput(self.at(line[0]), "a tab stands in a line of columns "
+                                             "(LS-DYNA takes it as one, an editor as several): write blanks or commas")
 
     def _replace(self, word: str, number: int, width: int) -> str:
         """A field with its parameters put in place; in a heading '&' may be a character like others."""
@@ -90,7 +95,8 @@ class Card:
 
     def row(self, line: tuple[int, str], layout: str, widths: tuple[int, ...] = (10,) * 8) -> Row:
         """A line as named fields."""
-        row = Row(self.keyword, self.at(line[0]), layout, self.split(line, widths, [word.partition("=")[0].partition("~")[0] for word in layout.split()]))
+        row = Row(self.keyword, self.at(line[0]), layout,
+                  self.split(line, widths, [word.partition("=")[0].partition("~")[0] for word in layout.split()]))
         if "," not in line[1]:
             row.columns = lambda index: self.describe_columns(line[1], widths, index)
         if self.change is not UNCHANGED:
@@ -106,7 +112,8 @@ class Card:
         return Lines(self)
 
     def find_surplus(self) -> int:
-        """The first line with something other than zeros behind those that were read; 0: none, or the card has not been read."""
+        """The first line with something other than zeros behind those that were read;
+        0: none, or the card has not been read."""
         rest = self.lines[self.reached :] if self.reached else []
         return next((number for number, text in rest if text.replace(",", " ").strip("0. \t\r")), 0)
 
@@ -143,8 +150,9 @@ class Lines:
         return any(self.card.lines[index][1].strip() for index in range(self._next, len(self.card.lines)))
 
     def next_card(self, of_lines: bool = False) -> bool:
-        """Whether a card follows. Where a card has a title or an id, or several lines (of_lines), its first line is the next one, also a
-        blank one: that is a line of defaults. Blank lines between cards of a single line define nothing, and are passed over."""
+        """Whether a card follows. Where a card has a title or an id, or several lines (of_lines), its first line is the
+        next one, also a blank one: that is a line of defaults.
+        Blank lines between cards of a single line define nothing, and are passed over."""
         return self.holds_more() if self.card.has_title or self.card.has_id or of_lines else self.skip_blank()
 
     def skip_blank(self) -> bool:
@@ -181,7 +189,8 @@ class CardReader:
         self._ledger.files.add(path)
         return read_lines(path, place)
 
-    def _read_file(self, path: str, shown: str, parameters: Parameters, depth: int, place: "Place | str" = "") -> Iterator[Card]:
+    def _read_file(self, path: str, shown: str, parameters: Parameters, depth: int,
+                   place: "Place | str" = "") -> Iterator[Card]:
         width = "standard"
         lines = self._read_lines(path, place or shown)
         if depth == 1:
@@ -195,7 +204,8 @@ class CardReader:
             if self._cases.pass_bound(name, card.place):
                 continue
             if not name.startswith("KEYWORD"):
-                self._ledger.expect(OPTIONS.sub("", name), card.place, card.lines[-1][0] if card.lines else card.place.line)
+                self._ledger.expect(OPTIONS.sub("", name), card.place,
+                                    card.lines[-1][0] if card.lines else card.place.line)
             if not self._cases.acts(card.owner):
                 self._ledger.ignored(f"CASE.{name}", card.place, "of a case that does not act")
             elif name == "KEYWORD" or name.startswith("KEYWORD_"):
@@ -232,7 +242,8 @@ class CardReader:
             elif card:
                 card.lines.append((number, line))
             elif line.strip():
-                raise BadInput(Place(shown, number), f"'{clip(line.strip())}' stands before any keyword (a deck begins with one): remove it")
+                raise BadInput(Place(shown, number),
+                               f"'{clip(line.strip())}' stands before any keyword (a deck begins with one): remove it")
         if card:
             yield card
 
@@ -256,7 +267,8 @@ class CardReader:
         name, change = read_include(card, self.transformations, self._nodes, self._ledger)
         yield from self._read_included(name, card, path_of_file, depth, change)
 
-    def _read_included(self, name: str, card: Card, path_of_file: str, depth: int, change: FileChange = UNCHANGED) -> Iterator[Card]:
+    def _read_included(self, name: str, card: Card, path_of_file: str, depth: int,
+                       change: FileChange = UNCHANGED) -> Iterator[Card]:
         """The cards of an included file."""
         path = self._find(name, card.place, os.path.dirname(os.path.realpath(path_of_file)))
         if depth >= MOST_OPEN or len(self._included) >= MOST_INCLUDED:
@@ -264,7 +276,8 @@ class CardReader:
         parameters = card.parameters.inner(change)
         key = (path, tuple(sorted(parameters.change.offsets.items())))
         if key in self._included:
-            raise BadInput(card.place, f"'{clip(name)}' is included twice (with the same ids): remove one *INCLUDE, or give it other offsets")
+            raise BadInput(card.place, f"'{clip(name)}' is included twice (with the same ids): "
+                                       "remove one *INCLUDE, or give it other offsets")
         self._included.add(key)
         self._ledger.translated(card.keyword, card.place, "the file is read")
         shown = os.path.join(os.path.dirname(self._main), os.path.relpath(path, self._folder))
@@ -312,7 +325,8 @@ def find_width(line: str, otherwise: str) -> str:
 
 
 def find_keyword(line: str) -> str:
-    """The keyword of a line in capitals, with its suffix of width, which may stand behind a blank. What else follows is a comment."""
+    """The keyword of a line in capitals, with its suffix of width, which may stand behind a blank.
+    What else follows is a comment."""
     word, *more = re.split(r"[\s,]+", line[1:].strip(), maxsplit=2)
     return word.upper() + (more[0] if more and more[0] in WIDTH_OF_SUFFIX else "")
 
@@ -332,7 +346,8 @@ def strip_options(card: Card) -> None:
 
 
 def read_ids(lines: Lines, per_line: int = 8, field: str = "") -> list[int]:
-    """All ids of the lines that are left, zeros left out. field: the name of a field with ids of their kind, for offsets."""
+    """All ids of the lines that are left, zeros left out.
+    field: the name of a field with ids of their kind, for offsets."""
     ids: list[int] = []
     card = lines.card
     shift = card.change.shift_of(card.keyword, field)
@@ -340,12 +355,14 @@ def read_ids(lines: Lines, per_line: int = 8, field: str = "") -> list[int]:
         line = lines.take()
         texts = card.split(line, (10,) * per_line)
         if any(parse_integer(text) for text in texts[per_line:]):
-            raise BadInput(card.at(line[0]), f"a line of *{card.keyword} has more than {per_line} ids (no more are read): put the others on the next line")
+            raise BadInput(card.at(line[0]), f"a line of *{card.keyword} has more than {per_line} ids "
+                                             "(no more are read): put the others on the next line")
         for index, text in enumerate(texts[:per_line]):
             value = parse_integer(text) if text else 0
             if value is None:
                 hint = "" if "," in line[1] else card.describe_columns(line[1], (10,) * per_line, index)
-                raise BadInput(card.at(line[0]), f"'{clip(text)}' in *{card.keyword} is not an integer{hint or shift_hint(text)}: correct it")
+                raise BadInput(card.at(line[0]), f"'{clip(text)}' in *{card.keyword} is not an "
+                                                 f"integer{hint or shift_hint(text)}: correct it")
             if value:
                 ids.append(value + shift)
     return ids

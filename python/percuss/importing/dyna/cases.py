@@ -18,7 +18,8 @@ def find_owner(line: str) -> int:
 class Cases:
     """Which cards act: those outside of all inner cases, and those of the inner cases that the chosen *CASE names.
 
-    A deck without *CASE, but with inner cases: each of them is a case of its own. One case acts by itself; of several --case names one.
+    A deck without *CASE, but with inner cases: each of them is a case of its own.
+    One case acts by itself; of several --case names one.
     """
 
     def __init__(self, ledger: Ledger):
@@ -41,10 +42,12 @@ class Cases:
         if not named:
             self._cases = {id: ("", {id}) for id in sorted(inner)}
         if self._cases:
-            first = next((n for n, line in enumerate(lines, 1) if line.upper().startswith("*CASE")), 0) or min(inner.values())
+            first = (next((n for n, line in enumerate(lines, 1) if line.upper().startswith("*CASE")), 0)
+                     or min(inner.values()))
             self._choose(Place(shown, first))
         elif self._ledger.case:
-            raise BadInput(shown, f"there is no case {clip(self._ledger.case)} (the file has no *CASE): leave --case out")
+            raise BadInput(shown,
+                           f"there is no case {clip(self._ledger.case)} (the file has no *CASE): leave --case out")
 
     def _add(self, lines: list[str], number: int, shown: str, width: int) -> None:
         """CASEID JOBID, then commands of the program, then ids of inner cases."""
@@ -56,23 +59,30 @@ class Cases:
                 rows.append(line)
         id = parse_integer(rows[0][:width].strip()) if rows and rows[0].strip() else None
         if id is None or id <= 0:
-            raise BadInput(Place(shown, number), "CASEID of *CASE is missing (a positive whole number is expected): add it")
+            raise BadInput(Place(shown, number),
+                           "CASEID of *CASE is missing (a positive whole number is expected): add it")
         if id in self._cases:
             raise BadInput(Place(shown, number), f"there are two cases {id} (ids must be unique): renumber one")
-        words = [word for row in rows[2:] for word in (row.split(",") if "," in row else re.findall(f".{{1,{width}}}", row))]
-        self._cases[id] = (clip(rows[0][width:].strip()), {value for word in words if (value := parse_integer(word.strip()))})
+        words = [word for row in rows[2:]
+                 for word in (row.split(",") if "," in row else re.findall(f".{{1,{width}}}", row))]
+        self._cases[id] = (clip(rows[0][width:].strip()),
+                           {value for word in words if (value := parse_integer(word.strip()))})
 
     def _choose(self, place: Place) -> None:
         listed = ", ".join(f"{id} {title}".strip() for id, (title, _) in self._cases.items())
         asked = parse_integer(self._ledger.case)
         if self._ledger.case and asked not in self._cases:
-            raise BadInput(place, f"there is no case {clip(self._ledger.case)} (there are {clip(listed, 200)}): correct --case")
+            raise BadInput(place, f"there is no case {clip(self._ledger.case)} (there are {clip(listed, 200)}): "
+                                  "correct --case")
         first = next(iter(self._cases))
         if asked is None and len(self._cases) > 1:
-            self._ledger.refuse("CASE", place, f"several cases, of which --case N imports one: {clip(listed, 200)} (LS-DYNA runs them one after the other)", f"case {first} acts")
+            self._ledger.refuse("CASE", place, f"several cases, of which --case N imports one: {clip(listed, 200)} "
+                                               "(LS-DYNA runs them one after the other)", f"case {first} acts")
         chosen = first if asked is None else asked
         self._acting = self._cases[chosen][1]
-        self._ledger.translated("CASE", place, f"the cards of case {clip(f'{chosen} {self._cases[chosen][0]}'.strip())} act, and those of none")
+        self._ledger.translated("CASE", place,
+                                f"the cards of case {clip(f'{chosen} {self._cases[chosen][0]}'.strip())} act, "
+                                "and those of none")
 
     def pass_bound(self, keyword: str, place: Place) -> bool:
         """Notes where an inner case begins or ends; whether the keyword is of *CASE."""

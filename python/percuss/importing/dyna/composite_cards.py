@@ -49,8 +49,10 @@ def read_plies(deck: KeywordDeck, reader: Lines, is_long: bool) -> list[tuple[in
             if material and thick > 0:
                 plies.append((material, thick, angle))
             elif material or thick:
-                row.fail(f"THICK{place}" if material else f"MID{place}", "a ply needs a material and a positive thickness")
+                row.fail(f"THICK{place}" if material else f"MID{place}",
+                         "a ply needs a material and a positive thickness")
         row.finish(deck.ledger)
         if len(plies) > MOST_LAYERS:
-            raise BadInput(row.place, f"the part has more than {MOST_LAYERS} plies (the limit of the importer): join equal ones")
+            raise BadInput(row.place,
+                           f"the part has more than {MOST_LAYERS} plies (the limit of the importer): join equal ones")
     return plies

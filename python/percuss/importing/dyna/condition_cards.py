@@ -17,7 +17,8 @@ SHELL_REACH = 0.2  # from a plane of symmetry, by default
 DIRECTIONS = {1: "x", 2: "y", 3: "z", 5: "rx", 6: "ry", 7: "rz"}
 
 
-def add_fixed(deck: KeywordDeck, name: str, directions: list[str], nodes: list[int], window: Deck | None = None) -> None:
+def add_fixed(deck: KeywordDeck, name: str, directions: list[str], nodes: list[int],
+              window: Deck | None = None) -> None:
     """A condition; rotations only where one of the nodes has shells or beams. window: its `from` and `until`."""
     turning = deck.turning_nodes()
     if not any(node in turning for node in nodes):
@@ -39,7 +40,8 @@ def apply_fixed_nodes(deck: KeywordDeck) -> None:
             add_fixed(deck, name, directions, deck.model.node_sets[name])
 
 
-def hold_bodies(deck: KeywordDeck, of_bodies: dict[str, list[int]], directions: dict[str, Deck | None], place: Place, card: str) -> None:
+def hold_bodies(deck: KeywordDeck, of_bodies: dict[str, list[int]], directions: dict[str, Deck | None], place: Place,
+                card: str) -> None:
     """Holds or moves the bodies that nodes belong to."""
     for body, nodes in of_bodies.items():
         hold_points(deck, body, [find_point(deck, node) for node in nodes], directions, place, card)
@@ -48,7 +50,9 @@ def hold_bodies(deck: KeywordDeck, of_bodies: dict[str, list[int]], directions: 
 def refuse_lost(deck: KeywordDeck, card: str, lost: list[int], place: Place, what: str) -> None:
     """Nodes without elements that belong to no rigid body."""
     if lost:
-        deck.ledger.refuse(f"{card}.free", place, f"{what} on node {lost[0]}, which has no element and belongs to no rigid body", "it is left out")
+        deck.ledger.refuse(f"{card}.free", place,
+                           f"{what} on node {lost[0]}, which has no element and belongs to no rigid body",
+                           "it is left out")
 
 
 def axis_of_system(deck: KeywordDeck, id: int) -> list[int] | None:
@@ -85,7 +89,8 @@ def read_plane(deck: KeywordDeck, card: Card) -> None:
 
 
 def read_symmetry_plane(deck: KeywordDeck, card: Card) -> None:
-    """*BOUNDARY_SPC_SYMMETRY_PLANE, _SET: nodes of parts within TOL of a plane stay in it, and turn about its normal alone."""
+    """*BOUNDARY_SPC_SYMMETRY_PLANE, _SET: nodes of parts within TOL of a plane stay in it,
+    and turn about its normal alone."""
     reader = card.reader()
     while reader.skip_blank():
         row = reader.row("IDSP~label ID X Y Z VX VY VZ")
@@ -94,17 +99,21 @@ def read_symmetry_plane(deck: KeywordDeck, card: Card) -> None:
         normal, id = row.numbers("VX", "VY", "VZ"), row.integer("ID")
         across = [d for d in range(3) if abs(normal[d]) > (1 - 1e-9) * math.hypot(*normal)]
         parts = deck.list_members("PART", id, row.place) if card.keyword.endswith("_SET") else [id]
-        is_solid = any(deck.elements[part].solids for part in parts if deck.find_part(part, row.place) and part in deck.elements)
+        is_solid = any(deck.elements[part].solids
+                       for part in parts if deck.find_part(part, row.place) and part in deck.elements)
         if not any(normal):
             row.fail("VX", "the normal of the plane has no direction")
         if not across:
-            deck.ledger.refuse(f"{card.keyword}.VX", row.place, "a plane of symmetry across none of the axes of space", "it is left out")
+            deck.ledger.refuse(f"{card.keyword}.VX", row.place,
+                               "a plane of symmetry across none of the axes of space", "it is left out")
             continue
         if reach <= 0 and is_solid:
-            deck.ledger.refuse(f"{card.keyword}.TOL", row.place, "solids without TOL, whose default is that of shells", "it is 0.2")
+            deck.ledger.refuse(f"{card.keyword}.TOL", row.place,
+                               "solids without TOL, whose default is that of shells", "it is 0.2")
         distance = row.numbers("X", "Y", "Z")[across[0]]
         nodes = dict.fromkeys(node for part in parts for node in deck.nodes_of_part(part))
-        hold_plane(deck, row, across[0], [node for node in nodes if abs(deck.nodes[node][across[0]] - distance) <= (reach if reach > 0 else default)])
+        hold_plane(deck, row, across[0], [node for node in nodes if abs(deck.nodes[node][across[0]] - distance)
+                                          <= (reach if reach > 0 else default)])
 
 
 def hold_plane(deck: KeywordDeck, row: Row, axis: int, nodes: list[int]) -> None:
@@ -162,7 +171,8 @@ def apply_spc(deck: KeywordDeck, card: Card, row: Row, is_set: bool, window: Dec
             axes = [0, 1, 2]  # all directions of any system
         else:
             deck.ledger.refuse(
-                "BOUNDARY_SPC.CID", row.place, f"fixed directions in coordinate system {system}", "the condition is left out"
+                "BOUNDARY_SPC.CID", row.place, f"fixed directions in coordinate system {system}",
+                "the condition is left out"
             )
             return
     turned = [("r" if d.startswith("r") else "") + AXES[axes[AXES.index(d[-1])]] for d in directions]

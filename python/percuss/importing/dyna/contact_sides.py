@@ -51,10 +51,12 @@ def list_named_parts(deck: KeywordDeck, contact: Contact, side: str) -> list[int
 
 
 def list_side_beams(deck: KeywordDeck, contact: Contact, side: str) -> list[Block]:
-    """Blocks of beams of a side; of a side by nodes those that have them, whole. Spot welds lie within what they hold together, and touch nothing."""
+    """Blocks of beams of a side; of a side by nodes those that have them, whole.
+    Spot welds lie within what they hold together, and touch nothing."""
     parts = list_side_parts(deck, contact, side)
     blocks = [block for block in deck.model.blocks if block.beams and parts is not None and block.part in parts]
-    welds = [block for block in blocks if deck.materials[deck.parts[block.part].material].keyword.startswith("MAT_SPOTWELD")]
+    welds = [block
+             for block in blocks if deck.materials[deck.parts[block.part].material].keyword.startswith("MAT_SPOTWELD")]
     if welds:
         deck.ledger.approximated(f"{contact.keyword}.beams", contact.place, "beams of *MAT_SPOTWELD touch nothing")
     return [block for block in blocks if block not in welds]
@@ -73,7 +75,8 @@ def side_name(deck: KeywordDeck, contact: Contact, side: str, for_tie: bool = Fa
         return deck.element_set_name("SHELL", id, place)
     if kind == 2:
         parts = deck.list_members("PART", id, place)
-        if not deck.skins.keys() & set(parts) and not any(block.beams and block.part in parts for block in deck.model.blocks):
+        if not deck.skins.keys() & set(parts) and not any(block.beams and block.part in parts
+                                                          for block in deck.model.blocks):
             return deck.part_set_name(id, place)
         deck.used.add(("PART", id))
         return deck.name_blocks(without_beams(deck, deck.without_skins(parts)), f"surface_{id}") or None
@@ -86,7 +89,8 @@ def side_name(deck: KeywordDeck, contact: Contact, side: str, for_tie: bool = Fa
         return surface_of_nodes(deck, id, place)
     if kind == 6:
         gone = set(deck.list_members("PART", id, place))
-        return deck.name_blocks(without_beams(deck, [part for part in deck.parts if part not in gone]), f"all_but_{id}") or None
+        return deck.name_blocks(without_beams(deck, [part for part in deck.parts if part not in gone]),
+                                f"all_but_{id}") or None
     deck.ledger.refuse("CONTACT.SSTYP", place, f"a surface of type {kind}", "it is left out")
     return None
 
@@ -96,7 +100,8 @@ def refuse_skins(deck: KeywordDeck, id: int, place: Place) -> bool:
     gone = {shell.id for part in deck.skins for shell in deck.elements[part].shells}
     is_of_skin = not gone.isdisjoint(deck.list_members("SHELL", id, place))
     if is_of_skin:
-        deck.ledger.refuse("CONTACT.SSTYP", place, "a set of shells of *MAT_NULL on solids (percuss takes the solids, by parts): name their part", INSTEAD)
+        deck.ledger.refuse("CONTACT.SSTYP", place, "a set of shells of *MAT_NULL on solids "
+                                                   "(percuss takes the solids, by parts): name their part", INSTEAD)
     return is_of_skin
 
 
@@ -134,4 +139,5 @@ def nodes_of_side(deck: KeywordDeck, contact: Contact, side: str = "S") -> set[i
 def name_parts(deck: KeywordDeck, contact: Contact, side: str) -> list[str]:
     """Parts of a side that is one part or a set of them; none of another side."""
     kind, id = contact.sides.integer(side + "STYP"), contact.sides.integer(side + "SID")
-    return deck.part_names([id] if kind == 3 else deck.list_members("PART", id, contact.place) if kind == 2 and id else [])
+    return deck.part_names([id] if kind == 3
+                           else deck.list_members("PART", id, contact.place) if kind == 2 and id else [])

@@ -12,19 +12,21 @@ from .materials.states import initial_bulk_modulus
 
 # Whatever their fields say.
 HARMLESS = {
-    "ACCURACY": "numerics", "OUTPUT": "output", "CPU": "time limit", "PARALLEL": "percuss has the same bits on any ranks",
-    "ENERGY": "percuss books all energies", "UNITS": "a text; --units says it", "SUBCYCLE": "numerics", "CHECK": "output",
-    "DEBUG": "output", "LSDA": "output", "REQUIRE_REVISION": "of the program", "PORE_FLUID": "of soil water, which no element has",
-    "DISCRETE_ELEMENT": "of particles, which are refused", "FORMING_OUTPUT": "output", "FORMING_MAXID": "numbers of elements",
-    "PZELECTRIC": "of electric fields, which no material has",
+    "ACCURACY": "numerics", "OUTPUT": "output", "CPU": "time limit",
+    "PARALLEL": "percuss has the same bits on any ranks", "ENERGY": "percuss books all energies",
+    "UNITS": "a text; --units says it", "SUBCYCLE": "numerics", "CHECK": "output", "DEBUG": "output", "LSDA": "output",
+    "REQUIRE_REVISION": "of the program", "PORE_FLUID": "of soil water, which no element has",
+    "DISCRETE_ELEMENT": "of particles, which are refused", "FORMING_OUTPUT": "output",
+    "FORMING_MAXID": "numbers of elements", "PZELECTRIC": "of electric fields, which no material has",
 }  # fmt: skip
 WITHOUT = {
-    "IMPLICIT": "the run is explicit", "ADAPTIVE": "the mesh stays as it is", "ADAPT": "the mesh stays as it is", "ADAPSTEP": "the mesh stays as it is",
-    "REFINE": "the mesh stays as it is", "REMESHING": "the mesh stays as it is", "COARSEN": "the mesh stays as it is",
-    "THERMAL": "there is no heat conduction", "ALE": "meshes are Lagrangian", "STAGED": "all parts act from the start",
-    "SPH": "there are no particles", "COUPLING": "there is no other program", "EXPLOSIVE_SHADOW": "burning goes on straight lines",
-    "FORMING": "parts stay where the deck has them, and nothing is added to it", "MAT": "the failure of all materials acts",
-    "START": "the run begins at time 0",
+    "IMPLICIT": "the run is explicit", "ADAPTIVE": "the mesh stays as it is", "ADAPT": "the mesh stays as it is",
+    "ADAPSTEP": "the mesh stays as it is", "REFINE": "the mesh stays as it is", "REMESHING": "the mesh stays as it is",
+    "COARSEN": "the mesh stays as it is", "THERMAL": "there is no heat conduction", "ALE": "meshes are Lagrangian",
+    "STAGED": "all parts act from the start", "SPH": "there are no particles", "COUPLING": "there is no other program",
+    "EXPLOSIVE_SHADOW": "burning goes on straight lines",
+    "FORMING": "parts stay where the deck has them, and nothing is added to it",
+    "MAT": "the failure of all materials acts", "START": "the run begins at time 0",
 }  # fmt: skip
 NO_LIMIT = 1e6  # times its mass that a part may get by mass scaling: LS-DYNA has no limit
 
@@ -40,10 +42,12 @@ def read_termination(deck: KeywordDeck, card: Card) -> None:
         time["collapse_ratio"] = row.number("DTMIN")
     if row.number("ENDENG") > 0:
         deck.model.deck["audit"] = {"max_energy_error": row.number("ENDENG") / 100}
-        deck.ledger.approximated("CONTROL_TERMINATION.ENDENG", card.place, "audit.max_energy_error; the run ends with exit code 3")
+        deck.ledger.approximated("CONTROL_TERMINATION.ENDENG", card.place,
+                                 "audit.max_energy_error; the run ends with exit code 3")
     deck.most_added_mass = row.number("ENDMAS") / 100
     if row.number("ENDMAS") < 0:
-        deck.ledger.refuse("CONTROL_TERMINATION.ENDMAS", card.place, "a limit of added mass by a curve", "there is no limit")
+        deck.ledger.refuse("CONTROL_TERMINATION.ENDMAS", card.place,
+                           "a limit of added mass by a curve", "there is no limit")
     if row.integer("NOSOL"):
         deck.ledger.ignored("CONTROL_TERMINATION.NOSOL", card.place, "percuss check ends before the first step")
     row.finish(deck.ledger)
@@ -58,18 +62,21 @@ def apply_timestep(deck: KeywordDeck, card: Card) -> None:
     if factor > 1:
         row.fail("TSSFAC", "above 1 no run is stable")
     if factor < 0:
-        deck.ledger.refuse("CONTROL_TIMESTEP.TSSFAC", card.place, "a factor on the step that varies in time", "it is 0.9")
+        deck.ledger.refuse("CONTROL_TIMESTEP.TSSFAC", card.place,
+                           "a factor on the step that varies in time", "it is 0.9")
         factor = 0.9
     deck.model.deck.setdefault("time", {})["step_scale"] = factor
     limit_step(deck, row)
     if row.number("TSLIMT") > 0:
-        deck.ledger.refuse("CONTROL_TIMESTEP.TSLIMT", card.place, "TSLIMT: shells that get softer where their step is short", "they keep their stiffness")
+        deck.ledger.refuse("CONTROL_TIMESTEP.TSLIMT", card.place,
+                           "TSLIMT: shells that get softer where their step is short", "they keep their stiffness")
     step = row.number("DT2MS")
     if step:
         more.skip("DT2MSF")  # of no effect beside DT2MS
         scale_masses(deck, abs(step), bool(row.integer("MS1ST")), row)
     if more.integer("IMSCL"):
-        deck.ledger.refuse("CONTROL_TIMESTEP.IMSCL", card.place, "IMSCL: selective mass scaling", "mass counts in all motions")
+        deck.ledger.refuse("CONTROL_TIMESTEP.IMSCL", card.place, "IMSCL: selective mass scaling",
+                           "mass counts in all motions")
     share_gravity(deck, more, bool(step))
     row.skip("MS1ST")
     erode_short_steps(deck, card, row.integer("ERODE"))
@@ -87,7 +94,8 @@ def share_gravity(deck: KeywordDeck, more: Row, is_scaled: bool) -> None:
 
 
 def erode_short_steps(deck: KeywordDeck, card: Card, code: int) -> None:
-    """ERODE with DTMIN: solids (1), shells (10) or both (11) are eroded where they allow less than DTMIN of the first step."""
+    """ERODE with DTMIN: solids (1),
+    shells (10) or both (11) are eroded where they allow less than DTMIN of the first step."""
     time = deck.model.deck["time"]
     if not code:
         return
@@ -99,19 +107,25 @@ def erode_short_steps(deck: KeywordDeck, card: Card, code: int) -> None:
     steps = [find_first_step(deck.nodes, block, laws[block.id]) for block in blocks]
     first = min((step for step in steps if step is not None), default=0.0)
     if None in steps or not math.isfinite(first):
-        deck.ledger.refuse("CONTROL_TIMESTEP.ERODE", card.place, "ERODE: elements that are eroded where their step is below DTMIN, beside laws without Young's modulus", "the run ends there")
+        deck.ledger.refuse("CONTROL_TIMESTEP.ERODE", card.place, "ERODE: elements that are eroded where their step is "
+                                                                 "below DTMIN, beside laws without Young's modulus",
+                           "the run ends there")
         return
     least = time["step_scale"] * time["collapse_ratio"] * first
     for block in blocks:
         if code % 10 == 1 if block.solids else code // 10 % 10 == 1:
             law = laws[block.id]
-            law["failure"] = {**law.get("failure", {}), "step": max(law.get("failure", {}).get("step", 0.0), least), "inverted": True}
+            law["failure"] = {**law.get("failure", {}), "step": max(law.get("failure", {}).get("step", 0.0), least),
+                              "inverted": True}
     time["collapse_ratio"] = min(1e-4, 0.1 * time["collapse_ratio"])
-    deck.ledger.approximated("CONTROL_TIMESTEP.ERODE", card.place, f"failure.step of {least:.4g}: DTMIN of the least step at the start by LS-DYNA's rule, up to 1.6 times that of percuss; and failure.inverted")
+    deck.ledger.approximated("CONTROL_TIMESTEP.ERODE", card.place,
+                             f"failure.step of {least:.4g}: DTMIN of the least step at the start by LS-DYNA's rule, "
+                             "up to 1.6 times that of percuss; and failure.inverted")
 
 
 def find_first_step(nodes: dict[int, Vector], block: Block, law: Deck) -> float | None:
-    """The least step of its elements: volume over the largest face, or area over the longest edge, by the speed of sound; None: it is not known."""
+    """The least step of its elements: volume over the largest face, or area over the longest edge,
+    by the speed of sound; None: it is not known."""
     stiffness = find_wave_stiffness(block, law)
     if stiffness is None:
         return None
@@ -121,7 +135,8 @@ def find_first_step(nodes: dict[int, Vector], block: Block, law: Deck) -> float 
 
 
 def find_wave_stiffness(block: Block, law: Deck) -> float | None:
-    """Density times the square of the speed of sound at the start; 0 of a gas that is cold, None of other laws without Young's modulus."""
+    """Density times the square of the speed of sound at the start;
+    0 of a gas that is cold, None of other laws without Young's modulus."""
     if law["model"] == "fluid":
         return initial_bulk_modulus(law["equation_of_state"], law["density"])
     if "youngs_modulus" not in law:
@@ -162,7 +177,8 @@ def scale_masses(deck: KeywordDeck, step: float, once: bool, row: Row) -> None:
             continue
         again = {} if once or held else {"every": 10}
         block.keys["mass_scaling"] = {"step": step, "max_added": most, **again}
-    text = "mass_scaling of each part, without a limit; the run says at its start how much mass that adds; gravity acts on it too"
+    text = ("mass_scaling of each part, without a limit; the run says at its start how much mass that adds; "
+            "gravity acts on it too")
     if row.number("DT2MS") > 0:
         text += "; no element loses mass"
     if held and not once:
@@ -188,18 +204,22 @@ def check_shells(deck: KeywordDeck, card: Card) -> None:
 
 
 def apply_relaxation(deck: KeywordDeck, card: Card) -> None:
-    """Explicit dynamic relaxation; *CONTROL_DAMPING is another name of the card. DRFCTR, EDTTL and DRTERM steer a damping that percuss finds by itself."""
-    row = card.reader().row("NRCYCK~damping=250 DRTOL=0.001 DRFCTR~damping=0.995 DRTERM~damping TSSFDR~damping IRELAL~damping EDTTL~damping=0.04 IDRFLG")
+    """Explicit dynamic relaxation; *CONTROL_DAMPING is another name of the card.
+    DRFCTR, EDTTL and DRTERM steer a damping that percuss finds by itself."""
+    row = card.reader().row("NRCYCK~damping=250 DRTOL=0.001 DRFCTR~damping=0.995 DRTERM~damping TSSFDR~damping "
+                            "IRELAL~damping EDTTL~damping=0.04 IDRFLG")
     flag, tolerance = row.integer("IDRFLG"), row.number("DRTOL") or 0.001
     row.finish(deck.ledger)
     if flag <= 0:
         deck.ledger.ignored(card.keyword, card.place, "IDRFLG does not switch it on")
     elif flag > 1:
-        deck.ledger.refuse("CONTROL_DYNAMIC_RELAXATION.IDRFLG", row.place, f"IDRFLG is {flag}", "the run starts without relaxation")
+        deck.ledger.refuse("CONTROL_DYNAMIC_RELAXATION.IDRFLG", row.place, f"IDRFLG is {flag}",
+                           "the run starts without relaxation")
     else:
         deck.model.deck["start"] = {"relaxation": {"tolerance": min(tolerance, 0.1)}}
         deck.ledger.approximated(
-            card.keyword, card.place, "start.relaxation: loads have their values at time 0; the damping follows the lowest frequency"
+            card.keyword, card.place,
+            "start.relaxation: loads have their values at time 0; the damping follows the lowest frequency"
         )
 
 
@@ -217,7 +237,8 @@ def read_shell_control(deck: KeywordDeck, card: Card) -> None:
     """*CONTROL_SHELL: percuss has one shell; what is left is the failure of distorted elements."""
     reader = card.reader()
     rows = [
-        reader.row("WRPANG~output=20 ESORT~shells IRNXX~shells=-1 ISTUPD THEORY=2 BWC~shells=2 MITER~shells=1 PROJ~shells"),
+        reader.row(
+            "WRPANG~output=20 ESORT~shells IRNXX~shells=-1 ISTUPD THEORY=2 BWC~shells=2 MITER~shells=1 PROJ~shells"),
         reader.row("ROTASCL=1 INTGRD LAMSHT~shells CSTYP6~shells=1 THSHEL~thermal"),
         reader.row("PSTUPD SIDT4TU~shells CNTCO ITSFLG~shells IRQUAD~shells=3 W_MODE STRETCH ICRQ~shells"),
         reader.row("NFAIL1 NFAIL4 PSNFAIL KEEPCS~shells DELFR DRCPSID~shells DRCPRM~shells=1 INTPERR~output"),
@@ -227,12 +248,15 @@ def read_shell_control(deck: KeywordDeck, card: Card) -> None:
     deck.shell_form = first.integer("THEORY")
     deck.contact_at_offset = deck.contact_at_offset or third.integer("CNTCO") != 0
     if first.integer("ISTUPD") == 0 or third.integer("PSTUPD"):
-        deck.ledger.approximated("CONTROL_SHELL.ISTUPD", first.place, "the thickness of all shells follows their strain")
+        deck.ledger.approximated("CONTROL_SHELL.ISTUPD", first.place,
+                                 "the thickness of all shells follows their strain")
     if second.integer("INTGRD"):
         deck.ledger.approximated("CONTROL_SHELL.INTGRD", second.place, "Gauss points in place of Lobatto's")
     if any(fourth.numbers("NFAIL1", "NFAIL4")):
         deck.erodes_folded_shells, deck.folded_shells = True, fourth.integer("PSNFAIL")
-        deck.ledger.approximated("CONTROL_SHELL.NFAIL1", fourth.place, "failure.inverted of shells, all or those of PSNFAIL: one with a corner that has folded over is eroded")
+        deck.ledger.approximated("CONTROL_SHELL.NFAIL1", fourth.place,
+                                 "failure.inverted of shells, "
+                                 "all or those of PSNFAIL: one with a corner that has folded over is eroded")
     fourth.skip("PSNFAIL")  # of effect with these, and with W_MODE, alone
     for row in rows:
         row.finish(deck.ledger, "it is left out")
@@ -242,20 +266,25 @@ def read_shell_control(deck: KeywordDeck, card: Card) -> None:
 def read_solid_control(deck: KeywordDeck, card: Card) -> None:
     """*CONTROL_SOLID: numerics, but for the nodes of tetrahedra and what negative volumes do."""
     reader = card.reader()
-    row = reader.row("ESORT~solids FMATRX~solids NIPTETS~solids=4 SWLOCL~solids=1 PSFAIL T10JTOL~solids ICOH~solids TET13K~implicit")
+    row = reader.row(
+        "ESORT~solids FMATRX~solids NIPTETS~solids=4 SWLOCL~solids=1 PSFAIL T10JTOL~solids ICOH~solids TET13K~implicit")
     names = " ".join(f"PM{i}" for i in range(1, 11))
     order = reader.row(names, (8,) * 10)
     more = reader.row("TET13V~solids RINRT~solids COHEQC")
     given = order.numbers(*names.split())
     if given not in ([float(i) for i in range(1, 11)], [0.0] * 10):
-        wrong = next((i for i, value in enumerate(given, 1) if value not in (0.0, i)), next(i for i, value in enumerate(given, 1) if value))
-        deck.ledger.refuse("CONTROL_SOLID.PM1", order.place, f"another order of the nodes of tetrahedra (PM{wrong} is {given[wrong - 1]:g})", "the usual order is read")
+        wrong = next((i for i, value in enumerate(given, 1) if value not in (0.0, i)),
+                     next(i for i, value in enumerate(given, 1) if value))
+        deck.ledger.refuse("CONTROL_SOLID.PM1", order.place,
+                           f"another order of the nodes of tetrahedra (PM{wrong} is {given[wrong - 1]:g})",
+                           "the usual order is read")
     order.skip(*names.split())
     if row.integer("PSFAIL"):
         deck.eroded_when_inverted = row.integer("PSFAIL")
         deck.ledger.approximated("CONTROL_SOLID.PSFAIL", row.place, "failure.inverted of these parts")
     if more.integer("COHEQC") % 10 == 2:
-        deck.ledger.refuse("CONTROL_SOLID.COHEQC", more.place, "COHEQC: cohesive elements of poor shape are deleted at the start", "they are kept")
+        deck.ledger.refuse("CONTROL_SOLID.COHEQC", more.place,
+                           "COHEQC: cohesive elements of poor shape are deleted at the start", "they are kept")
     more.skip("COHEQC")  # other values are about messages
     for found in (row, more):
         found.finish(deck.ledger, "it is left out")
@@ -265,7 +294,8 @@ def read_solid_control(deck: KeywordDeck, card: Card) -> None:
 def read_rigid_control(deck: KeywordDeck, card: Card) -> None:
     """*CONTROL_RIGID: numerics of joints and flexible bodies, but for stiffness and damping of all joints."""
     reader = card.reader()
-    row = reader.row("LMF~joints JNTF~joints ORTHMD~joints PARTM~joints SPARSE~joints METALF~joints PLOTEL~output RBSMS~joints")
+    row = reader.row(
+        "LMF~joints JNTF~joints ORTHMD~joints PARTM~joints SPARSE~joints METALF~joints PLOTEL~output RBSMS~joints")
     more = reader.row("NORBIC~joints GJADSTF GJADVSC TJADSTF TJADVSC RCVLR2D~joints")
     for found in (row, more):
         found.finish(deck.ledger, "joints have none")
@@ -274,7 +304,8 @@ def read_rigid_control(deck: KeywordDeck, card: Card) -> None:
 
 def read_solution(deck: KeywordDeck, card: Card) -> None:
     """*CONTROL_SOLUTION: SOLN asks for heat conduction."""
-    row = card.reader().row("SOLN NLQ~solver ISNAN~solver LCINT~solver=100 LCACC~solver NCDCF~solver=1 NOCOPY~solver CRVP~solver")
+    row = card.reader().row(
+        "SOLN NLQ~solver ISNAN~solver LCINT~solver=100 LCACC~solver NCDCF~solver=1 NOCOPY~solver CRVP~solver")
     if row.integer("SOLN"):
         deck.ledger.refuse("CONTROL_SOLUTION.SOLN", row.place, "a thermal solution", "there is no heat conduction")
     row.finish(deck.ledger)

@@ -28,8 +28,10 @@ def read_curve(deck: KeywordDeck, card: Card) -> None:
         raise BadInput(row.place, f"curve {id} has no points: add rows, or remove what refers to it")
     deck.ids.claim(CURVES, id, row.place)
     if row.integer("DATTYP") not in (0, 1, -100) or row.integer("DATTYP") == 1 and (offset_a or offset_o):
-        deck.ledger.refuse("DEFINE_CURVE.DATTYP", row.place, f"DATTYP is {row.integer('DATTYP')}", "the rows are taken as they are")
-    deck.curves[id] = Curve(row.place, order_points(points), relaxation=row.integer("SIDR"), units=card.change.factors, rows=points)
+        deck.ledger.refuse("DEFINE_CURVE.DATTYP", row.place, f"DATTYP is {row.integer('DATTYP')}",
+                           "the rows are taken as they are")
+    deck.curves[id] = Curve(row.place, order_points(points), relaxation=row.integer("SIDR"), units=card.change.factors,
+                            rows=points)
     row.finish(deck.ledger)
     deck.ledger.translated(card.keyword, row.place, "a table where something uses it")
     if deck.waiting_table:
@@ -41,7 +43,8 @@ def check_ascent(row: Row, field: str, values: list[float], factor: float) -> No
     """The last two abscissae of a curve, or values of a table, as they count."""
     if len(values) > 1 and values[-1] < values[-2]:
         scaled = f" after SFA, which is {factor:g}" if factor < 0 else ""
-        row.fail(field, f"abscissae of a curve, and values of a table, must ascend{scaled}: {values[-1]:g} follows {values[-2]:g}")
+        row.fail(field, "abscissae of a curve, and values of a table, "
+                        f"must ascend{scaled}: {values[-1]:g} follows {values[-2]:g}")
 
 
 def read_smooth_curve(deck: KeywordDeck, card: Card) -> None:
@@ -66,16 +69,19 @@ def read_smooth_curve(deck: KeywordDeck, card: Card) -> None:
 
 
 def check_relaxation(deck: KeywordDeck) -> None:
-    """percuss relaxes with the values of all loads at time 0: those of SIDR = 1 are not among them, those of SIDR = 0 should not be."""
+    """percuss relaxes with the values of all loads at time 0: those of SIDR = 1 are not among them,
+    those of SIDR = 0 should not be."""
     if "relaxation" not in deck.model.deck.get("start", {}) or "preload" in deck.model.deck["start"]:
         return
     for curve in (*deck.curves.values(), *deck.converted_curves.values()):
         if not curve.is_of_time or curve.relaxation not in (0, 1):
             continue
         if curve.relaxation == 1:
-            deck.ledger.refuse("DEFINE_CURVE.SIDR", curve.place, "a load of dynamic relaxation alone", "it does not act")
+            deck.ledger.refuse("DEFINE_CURVE.SIDR", curve.place,
+                               "a load of dynamic relaxation alone", "it does not act")
         elif curve.expression or interpolate(curve.points, 0.0):
-            deck.ledger.refuse("DEFINE_CURVE.SIDR", curve.place, "a load that begins after dynamic relaxation", "its value at time 0 acts in it")
+            deck.ledger.refuse("DEFINE_CURVE.SIDR", curve.place, "a load that begins after dynamic relaxation",
+                               "its value at time 0 acts in it")
 
 
 def read_table(deck: KeywordDeck, card: Card) -> None:
@@ -102,7 +108,8 @@ def read_table(deck: KeywordDeck, card: Card) -> None:
 
 
 def read_other_curve(deck: KeywordDeck, card: Card) -> None:
-    if card.keyword in ("DEFINE_FUNCTION", *(f"DEFINE_CURVE_{kind}" for kind in ("DUPLICATE", "ENTITY", "FEEDBACK", "FUNCTION", "STRESS"))):
+    if card.keyword in ("DEFINE_FUNCTION", *(f"DEFINE_CURVE_{kind}"
+                                             for kind in ("DUPLICATE", "ENTITY", "FEEDBACK", "FUNCTION", "STRESS"))):
         reader = card.reader()
         if card.has_title:
             reader.take()

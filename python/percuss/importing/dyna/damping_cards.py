@@ -17,7 +17,8 @@ def read_damping(deck: KeywordDeck, card: Card) -> None:
     if card.keyword in STIFFNESS_CARDS:
         read_stiffness_damping(deck, card)
     elif card.keyword not in MASS_CARDS:
-        deck.ledger.refuse(card.keyword, card.place, "damping other than in proportion to mass or stiffness", "it is left out")
+        deck.ledger.refuse(card.keyword, card.place,
+                           "damping other than in proportion to mass or stiffness", "it is left out")
     elif card.keyword == "DAMPING_GLOBAL":
         row = card.reader().row("LCID VALDMP STX STY STZ SRX SRY SRZ")
         deck.ids.claim_only("*DAMPING_GLOBAL", row.place)
@@ -35,9 +36,11 @@ def read_factors(deck: KeywordDeck, row: Row) -> float | None:
     moves, turns = values[:3], values[3:]
     if not any(values):
         return 1.0
-    if len(set(moves)) == 1 and (set(turns) == set(moves) or not (deck.turning_nodes() or deck.rigid or deck.nodal_bodies)):
+    if len(set(moves)) == 1 and (set(turns) == set(moves)
+                                 or not (deck.turning_nodes() or deck.rigid or deck.nodal_bodies)):
         return moves[0]
-    is_allowed = deck.ledger.refuse(f"{row.card}.STX", row.place, "STX to SRZ, damping that differs by direction", "all directions are damped alike")
+    is_allowed = deck.ledger.refuse(f"{row.card}.STX", row.place, "STX to SRZ, damping that differs by direction",
+                                    "all directions are damped alike")
     return 1.0 if is_allowed else None
 
 
@@ -50,7 +53,8 @@ def read_part_damping(deck: KeywordDeck, card: Card) -> None:
             continue
         id = row.integer("ID")
         if row.integer("STRUC") and deck.masses:
-            deck.ledger.refuse(f"{card.keyword}.STRUC", row.place, "STRUC is 1: masses of *ELEMENT_MASS are not damped", "they are damped too")
+            deck.ledger.refuse(f"{card.keyword}.STRUC", row.place,
+                               "STRUC is 1: masses of *ELEMENT_MASS are not damped", "they are damped too")
         parts = deck.list_members("PART", id, row.place) if card.keyword.endswith("SET") else [id]
         for part in parts:
             deck.find_part(part, row.place)
@@ -74,7 +78,9 @@ def read_stiffness_damping(deck: KeywordDeck, card: Card) -> None:
             continue
         if value > 0:
             deck.ledger.refuse(
-                f"{card.keyword}.COEF", row.place, "a share of the damping at high frequencies, which is that of LS-DYNA's own step", "there is none: a negative COEF is beta"
+                f"{card.keyword}.COEF", row.place,
+                "a share of the damping at high frequencies, which is that of LS-DYNA's own step",
+                "there is none: a negative COEF is beta"
             )
             continue
         parts = deck.list_members("PART", id, row.place) if card.keyword.endswith("SET") else [id]
@@ -91,13 +97,16 @@ def read_stiffness_damping(deck: KeywordDeck, card: Card) -> None:
 
 
 def add_damping(deck: KeywordDeck, name: str, row: Row, curve: int, scale: float, otherwise: float) -> None:
-    """An entry; an empty name means all, and stands before those of parts. otherwise: the coefficient without a curve."""
-    value = make_time_value(deck.curve(curve, row.place, "time", "rate"), scale, deck.end_time) if curve else scale * otherwise
+    """An entry; an empty name means all, and stands before those of parts.
+    otherwise: the coefficient without a curve."""
+    value = (make_time_value(deck.curve(curve, row.place, "time", "rate"), scale, deck.end_time) if curve
+             else scale * otherwise)
     check_sign(value, row.place)
     entry = {"nodes": name, "coefficient": value} if name else {"coefficient": value}
     entries = deck.model.deck.setdefault("damping", [])
     if entries and not (name and all("nodes" in known for known in entries)):
-        deck.ledger.approximated(f"{row.card}.two", row.place, "nodes have one damping: that of their part in place of that of *DAMPING_GLOBAL")
+        deck.ledger.approximated(f"{row.card}.two", row.place,
+                                 "nodes have one damping: that of their part in place of that of *DAMPING_GLOBAL")
     entries.insert(0 if not name else len(entries), entry)
 
 

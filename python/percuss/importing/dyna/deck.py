@@ -221,7 +221,8 @@ class KeywordDeck:
         self.sections: dict[int, Card] = {}
         self.materials: dict[int, Card] = {}
         self.material_titles: dict[int, str] = {}
-        self.turns: dict[tuple[int, int], float] = {}  # degrees from the axes of a law to those of its material, by material and block
+        # degrees from the axes of a law to those of its material, by material and block
+        self.turns: dict[tuple[int, int], float] = {}
         self.names_of_laws: dict[int, list[str]] = {}  # in the deck of percuss: one for each way in which parts use it
         self.logarithmic_materials: set[int] = set()  # with the option _LOG_INTERPOLATION
         self.states: dict[int, Card] = {}
@@ -230,7 +231,8 @@ class KeywordDeck:
         self.node_transforms: list[Row] = []
         self.boxes: dict[int, Box] = {}
         self.systems: dict[int, tuple[Vector, Vector, Vector]] = {}
-        self.moving_systems: dict[int, tuple[Vector, Vector, Vector]] = {}  # at the start, of those that move with nodes
+        # at the start, of those that move with nodes
+        self.moving_systems: dict[int, tuple[Vector, Vector, Vector]] = {}
         self.vectors: dict[int, Vector] = {}
         self.erosions: dict[int, Card] = {}
         self.gissmos: dict[int, Card] = {}
@@ -245,7 +247,8 @@ class KeywordDeck:
         self.keeps_eroded_nodes = False  # ENMASS
         self.contact_control: Place | None = None  # *CONTROL_CONTACT; None: the deck has none
         self.contact_at_offset = False  # CNTCO: contact of shells whose mesh is not their middle
-        self.solid_axes: dict[int, tuple[Vector, Vector]] = {}  # of *ELEMENT_SOLID_ORTHO: a, and d in the plane of a and b
+        # of *ELEMENT_SOLID_ORTHO: a, and d in the plane of a and b
+        self.solid_axes: dict[int, tuple[Vector, Vector]] = {}
         self.erodes_folded_shells = False  # NFAIL1, NFAIL4
         self.folded_shells = 0  # PSNFAIL: a set of the parts for which they count; 0: all
         self.eroded_when_inverted = 0  # PSFAIL: a set of parts
@@ -286,8 +289,10 @@ class KeywordDeck:
         self.extra_nodes: dict[int, list[ExtraNodes]] = {}  # of rigid parts
         self.bodies_of_nodes: dict[int, str] = {}  # names of bodies in the deck of percuss, once they are known
         self.part_gravity: list[PartGravity] = []
-        self.switched: list[tuple[int, bool, int, Place]] = []  # *DEFORMABLE_TO_RIGID: part or set, whether a set, part that leads
-        self.center_rows: list[tuple[int, Row, list[float]]] = []  # nodes that are mass centres, with what gets their places
+        # *DEFORMABLE_TO_RIGID: part or set, whether a set, part that leads
+        self.switched: list[tuple[int, bool, int, Place]] = []
+        # nodes that are mass centres, with what gets their places
+        self.center_rows: list[tuple[int, Row, list[float]]] = []
         self.center_nodes: set[int] = set()  # PNODE of nodal rigid bodies
         self.body_holds: dict[str, list[Any]] = {}  # body_holds.Hold, by the name of the body
         self.held_of_body: dict[str, list[str]] = {}  # directions that `fixed` of a body has
@@ -321,7 +326,8 @@ class KeywordDeck:
         key = (id, across, up)
         if key not in self.converted_curves:
             x, y = scale(across, found.units), scale(up, found.units)
-            self.converted_curves[key] = replace(found, points=order_points([(a * x, b * y) for a, b in found.rows], span), units=SAME)
+            self.converted_curves[key] = replace(
+                found, points=order_points([(a * x, b * y) for a, b in found.rows], span), units=SAME)
         return self.converted_curves[key]
 
     def material_curve(self, id: int, place: Place, across: str, up: str) -> Points:
@@ -363,7 +369,8 @@ class KeywordDeck:
     def _sort_known(self, kind: str) -> list[int]:
         """All ids of a kind."""
         if kind not in self._sorted:
-            known = list(self.nodes) if kind == "NODE" else list(self.parts) if kind == "PART" else self.list_elements(kind)
+            known = (list(self.nodes) if kind == "NODE" else list(self.parts) if kind == "PART"
+                     else self.list_elements(kind))
             self._sorted[kind] = sorted(known)
         return self._sorted[kind]
 
@@ -401,7 +408,8 @@ class KeywordDeck:
         """Elements, or parts, of which all nodes are among these."""
         if kind == "PART":
             return [part for part in self.parts if (nodes := self.nodes_of_part(part)) and inside.issuperset(nodes)]
-        return [id for part in self.elements for id, corners in self.elements_of_part(kind, part) if inside.issuperset(corners)]
+        return [id for part in self.elements
+                for id, corners in self.elements_of_part(kind, part) if inside.issuperset(corners)]
 
     def nodes_of_part(self, id: int) -> list[int]:
         found = self.elements.get(id)
@@ -427,13 +435,16 @@ class KeywordDeck:
             return []
         if kind == "SOLID":
             return list(found.solids)
-        return [(shell.id, shell.corners) for shell in found.shells] if kind == "SHELL" else [(beam.id, beam.ends) for beam in found.beams]
+        return ([(shell.id, shell.corners) for shell in found.shells] if kind == "SHELL"
+                else [(beam.id, beam.ends) for beam in found.beams])
 
     def faces_of_part(self, part: int) -> list[tuple[int, ...]]:
         """Shells, and those faces of solids that no other solid of the part has, outward."""
-        faces = [tuple(corners[i] for i in face) for _, corners in self.elements_of_part("SOLID", part) for face in FACES[4 if len(corners) == 10 else len(corners)]]
+        faces = [tuple(corners[i] for i in face) for _, corners in self.elements_of_part("SOLID", part)
+                 for face in FACES[4 if len(corners) == 10 else len(corners)]]
         counts = Counter(frozenset(face) for face in faces)
-        return [corners for _, corners in self.elements_of_part("SHELL", part)] + [face for face in faces if counts[frozenset(face)] == 1]
+        return ([corners for _, corners in self.elements_of_part("SHELL", part)]
+                + [face for face in faces if counts[frozenset(face)] == 1])
 
     # --- names in the deck of percuss
 
@@ -449,7 +460,8 @@ class KeywordDeck:
         """Parts that touch: the solids in place of the skins on them."""
         found: dict[int, None] = {}
         for part in parts:
-            found.update(dict.fromkeys(solid for skin in self.skins[part] for solid in skin.solids) if part in self.skins else {part: None})
+            found.update(dict.fromkeys(solid for skin in self.skins[part] for solid in skin.solids)
+                         if part in self.skins else {part: None})
         return list(found)
 
     def held_as_bodies(self) -> bool:
@@ -468,7 +480,8 @@ class KeywordDeck:
         key = ("NODE", id, False)
         if key not in self._names_of_sets:
             card = self.find_set("NODE", id, place)
-            self._names_of_sets[key] = self.make_node_set(card.title or f"nodes_{id}", self.list_members("NODE", id, place), place)
+            self._names_of_sets[key] = self.make_node_set(card.title or f"nodes_{id}",
+                                                          self.list_members("NODE", id, place), place)
         self.used.add(("NODE", id))
         return self._names_of_sets[key] or None
 
@@ -506,7 +519,8 @@ class KeywordDeck:
             signs = [(face, owners.find_sign(face)) for face in card.segments]
             faces = [face for face, sign in signs if sign is not None]
             if len(faces) < len(signs):
-                self.ledger.refuse("SET_SEGMENT.free", card.place, "segments that are not a face of any element", "they are left out")
+                self.ledger.refuse("SET_SEGMENT.free", card.place,
+                                   "segments that are not a face of any element", "they are left out")
             faces += [face[::-1] for face in faces if all(node in self.shell_nodes() for node in face)]
             name = self.model.names.take(card.title or f"sides_{id}") if faces else ""
             if name:
@@ -520,7 +534,8 @@ class KeywordDeck:
         key = ("PART", id, False)
         if key not in self._names_of_sets:
             card = self.find_set("PART", id, place)
-            self._names_of_sets[key] = self.name_blocks(self.list_members("PART", id, place), card.title or f"parts_{id}")
+            self._names_of_sets[key] = self.name_blocks(self.list_members("PART", id, place),
+                                                        card.title or f"parts_{id}")
         self.used.add(("PART", id))
         return self._names_of_sets[key] or None
 

@@ -1,4 +1,5 @@
-"""Settings of elements, those of most of them for the scene, others by part: integration, hourglass control and viscosity."""
+"""Settings of elements, those of most of them for the scene, others by part:
+integration, hourglass control and viscosity."""
 
 from collections import Counter
 
@@ -47,7 +48,8 @@ def translate_integration(deck: KeywordDeck) -> None:
         form = row.integer("ELFORM") or 1
         row.skip("SECID")
         row.finish(deck.ledger)
-        is_corotational = form in COROTATIONAL and deck.materials[deck.parts[block.part].material].keyword == "MAT_MODIFIED_HONEYCOMB"
+        is_corotational = (form in COROTATIONAL
+                           and deck.materials[deck.parts[block.part].material].keyword == "MAT_MODIFIED_HONEYCOMB")
         kind = "one_point" if is_corotational else judge_solid_form(deck, form, row)
         if count:
             kinds[block.id] = kind
@@ -67,8 +69,10 @@ def is_thick(deck: KeywordDeck, block: Block, section: Card) -> bool:
     """Whether the hexahedra of a part are thick shells; elements and section must agree."""
     has_section = section.keyword.startswith("SECTION_TSHELL")
     if has_section != deck.elements[block.part].is_thick:
-        elements, needed = ("*ELEMENT_SOLID", "*SECTION_SOLID") if has_section else ("*ELEMENT_TSHELL", "*SECTION_TSHELL")
-        raise BadInput(block.place, f"part {block.part} has {elements} and a section of another kind: give it a {needed}")
+        elements, needed = (("*ELEMENT_SOLID", "*SECTION_SOLID") if has_section
+                            else ("*ELEMENT_TSHELL", "*SECTION_TSHELL"))
+        raise BadInput(block.place,
+                       f"part {block.part} has {elements} and a section of another kind: give it a {needed}")
     return has_section
 
 
@@ -78,15 +82,18 @@ def translate_thick_section(deck: KeywordDeck, section: Card) -> Deck:
     form, points = row.integer("ELFORM") or 1, abs(int(row.number("NIP"))) or 2
     row.skip("SECID")
     if form not in THICK_FORMS:
-        deck.ledger.refuse("SECTION_TSHELL.ELFORM", row.place, f"formulation {form} of thick shells", "that of percuss is used")
+        deck.ledger.refuse("SECTION_TSHELL.ELFORM", row.place, f"formulation {form} of thick shells",
+                           "that of percuss is used")
     if row.number("SHRF") not in (0.0, 1.0):
         deck.ledger.approximated("SECTION_TSHELL.SHRF", row.place, "the transverse shear keeps the factor 1")
     if row.number("QR") < 0:
-        deck.ledger.refuse("SECTION_TSHELL.QR", row.place, "a rule of integration of the user's", "Gauss points are used")
+        deck.ledger.refuse("SECTION_TSHELL.QR", row.place,
+                           "a rule of integration of the user's", "Gauss points are used")
     if row.integer("ICOMP"):
         deck.ledger.refuse("SECTION_TSHELL.ICOMP", row.place, "angles of plies in thick shells", "they have none")
     if row.integer("TSHEAR"):
-        deck.ledger.approximated("SECTION_TSHELL.TSHEAR", row.place, "transverse shear is the same across the thickness as the strains say")
+        deck.ledger.approximated("SECTION_TSHELL.TSHEAR", row.place,
+                                 "transverse shear is the same across the thickness as the strains say")
     row.finish(deck.ledger)
     chosen = 3 if points <= 3 else 5
     text = f"thick shells with 2x2 columns of {chosen} Gauss points"
@@ -105,9 +112,11 @@ def judge_solid_form(deck: KeywordDeck, form: int, row: Row) -> str:
         deck.ledger.approximated("SECTION_SOLID.ELFORM", row.place, "wedges of one point with two hourglass modes")
         return "one_point"
     if form in FULL:
-        deck.ledger.approximated("SECTION_SOLID.ELFORM", row.place, "2x2x2 points with mean dilatation for fully integrated solids")
+        deck.ledger.approximated("SECTION_SOLID.ELFORM", row.place,
+                                 "2x2x2 points with mean dilatation for fully integrated solids")
         return "full"
-    deck.ledger.refuse("SECTION_SOLID.ELFORM", row.place, f"formulation {form} of solids", "one-point hexahedra are used")
+    deck.ledger.refuse("SECTION_SOLID.ELFORM", row.place, f"formulation {form} of solids",
+                       "one-point hexahedra are used")
     return "one_point"
 
 
@@ -170,12 +179,14 @@ def find_hourglass(deck: KeywordDeck, block: Block, general: Row | None) -> Row 
     quadratic, linear = row.number("Q1") or 1.5, row.number("Q2") or 0.06
     if (quadratic, linear) != (1.5, 0.06):
         block.keys["bulk_viscosity"] = {"linear": linear, "quadratic": max(quadratic, 0.0) ** 0.5}
-        deck.ledger.approximated("HOURGLASS.Q1", row.place, "bulk_viscosity of the part: linear = Q2, quadratic = sqrt(Q1)")
+        deck.ledger.approximated("HOURGLASS.Q1", row.place,
+                                 "bulk_viscosity of the part: linear = Q2, quadratic = sqrt(Q1)")
     return row
 
 
 def judge_hourglass(row: Row | None, law: Deck) -> tuple[str, float]:
-    """Kind and coefficient of percuss. Where the deck says nothing, percuss has its own default too; but a fluid does not resist, as by default in LS-DYNA."""
+    """Kind and coefficient of percuss. Where the deck says nothing, percuss has its own default too;
+    but a fluid does not resist, as by default in LS-DYNA."""
     if row is None:
         return ("viscous", 0.1) if law["model"] == "fluid" else ("assumed_strain", 0.0)
     kind = HOURGLASS_KINDS.get(row.integer("IHQ") or 1, "assumed_strain")

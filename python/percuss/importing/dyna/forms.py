@@ -1,8 +1,9 @@
 """Which option words each keyword may have. Any other word refuses the card: with it, its lines mean something else.
 
-A name of the table is the beginning of a keyword, as DEFINITIONS and ACTIONS of read.py have it; its options follow in any order, with
-'_' between. A name that ends with '_' needs at least one of them. "A B | C D": A or B must follow, once, then C and D may. _TITLE and
-_ID are taken off before. ANY: the handler of the name knows all that may follow, and refuses the rest by name.
+A name of the table is the beginning of a keyword, as DEFINITIONS and ACTIONS of read.py have it; its options follow in
+any order, with '_' between. A name that ends with '_' needs at least one of them. "A B | C D": A or B must follow,
+once, then C and D may. _TITLE and _ID are taken off before.
+ANY: the handler of the name knows all that may follow, and refuses the rest by name.
 """
 
 import re
@@ -29,11 +30,13 @@ OPTIONS: dict[str, str] = {
     "ELEMENT_": ANY,
     "PART_COMPOSITE": "LONG CONTACT",
     "PART": "INERTIA REPOSITION CONTACT PRINT ATTACHMENT_NODES",
-    "SECTION_": "SOLID SHELL BEAM DISCRETE TSHELL SEATBELT SPH POINT_SOURCE POINT_SOURCE_MIXTURE ALE1D ALE2D FPD | EFG MISC THERMAL XFEM AISC SPG PERI LAMINATE",
+    "SECTION_": "SOLID SHELL BEAM DISCRETE TSHELL SEATBELT SPH POINT_SOURCE POINT_SOURCE_MIXTURE ALE1D ALE2D FPD | "
+                "EFG MISC THERMAL XFEM AISC SPG PERI LAMINATE",
     "HOURGLASS": "",
     "MAT_": ANY,
     "EOS_": ANY,
-    **{f"SET_{kind}": SET_FORMS for kind in ("NODE", "PART", "SEGMENT", "SHELL", "SOLID", "BEAM", "DISCRETE", "TSHELL", "BOX")},
+    **{f"SET_{kind}": SET_FORMS
+       for kind in ("NODE", "PART", "SEGMENT", "SHELL", "SOLID", "BEAM", "DISCRETE", "TSHELL", "BOX")},
     "DEFINE_CURVE": "",
     "DEFINE_CURVE_SMOOTH": "",
     "DEFINE_CURVE_": ANY,
@@ -120,8 +123,8 @@ def make_words(text: str) -> str:
 
 
 def find_form(names: Iterable[str], keyword: str) -> tuple[str | None, str]:
-    """The longest of the names of which the keyword is a form. If it is of none: the name that it begins with, and the option that is not in
-    the list."""
+    """The longest of the names of which the keyword is a form. If it is of none: the name that it begins with, and the
+    option that is not in the list."""
     unknown: tuple[str, str] | None = None
     for name in sorted(names, key=len, reverse=True):
         base = name.rstrip("_")

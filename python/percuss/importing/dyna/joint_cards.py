@@ -56,11 +56,14 @@ def read_limits(deck: KeywordDeck, limits: Row) -> list[str]:
     """Directions that a body is held in: by two codes, or by six digits along the axes of a system."""
     option = limits.number("CMO")
     if option == 1:
-        return [*DIRECTIONS.get(limits.integer("CON1"), ""), *("r" + d for d in DIRECTIONS.get(limits.integer("CON2"), ""))]
+        return [*DIRECTIONS.get(limits.integer("CON1"), ""),
+                *("r" + d for d in DIRECTIONS.get(limits.integer("CON2"), ""))]
     if option == -1 and (held := read_local_limits(deck, limits)) is not None:
         return held
     if option:
-        deck.ledger.refuse(f"{limits.card}.CMO", limits.place, "a rigid body with constraints along axes that are none of space, or at a point", "it is free")
+        deck.ledger.refuse(f"{limits.card}.CMO", limits.place,
+                           "a rigid body with constraints along axes that are none of space, or at a point",
+                           "it is free")
     return []
 
 
@@ -81,7 +84,8 @@ def add_nodal_bodies(deck: KeywordDeck) -> None:
             deck.body_centers[name] = body.inertia["center"]
             start_body(deck, name, body.motion)
         deck.model.deck.setdefault("rigid_sets", {})[name] = keys
-        deck.ledger.translated(body.card, body.place, "rigid_sets" + (": mass, center, inertia in place of those of its nodes; initial" if body.inertia else ""))
+        given = ": mass, center, inertia in place of those of its nodes; initial" if body.inertia else ""
+        deck.ledger.translated(body.card, body.place, "rigid_sets" + given)
 
 
 def read_joints(deck: KeywordDeck, card: Card) -> None:
@@ -105,7 +109,8 @@ def read_joints(deck: KeywordDeck, card: Card) -> None:
 
 
 def read_lead(deck: KeywordDeck, reader: Lines) -> float:
-    """The second line of a screw: PARM is the way along the axis over the angle about it, in radians; R1 is the radius of gears."""
+    """The second line of a screw: PARM is the way along the axis over the angle about it, in radians;
+    R1 is the radius of gears."""
     row = reader.row("PARM LCID TYPE R1~unused H_ANGLE")
     lead = 2 * math.pi * row.number("PARM")
     if not lead:
@@ -190,9 +195,11 @@ def find_fault(deck: KeywordDeck, joint: JointCard, pairs: list[Pair], near: flo
             return "a joint within one rigid body"
         if pair.bodies != pairs[0].bodies:
             return "a joint whose pairs of nodes are on different bodies"
-    if len(pairs) > 1 and any(math.dist(pairs[0].place, deck.nodes[node]) <= near for node in (joint.nodes[2:3] if kind in SLIDING else joint.nodes[2:4])):
+    if len(pairs) > 1 and any(math.dist(pairs[0].place, deck.nodes[node]) <= near
+                              for node in (joint.nodes[2:3] if kind in SLIDING else joint.nodes[2:4])):
         return "a joint whose axis has no direction"
-    if kind == "universal" and not is_perpendicular(to_node(deck, pairs[0], joint.nodes[2]), to_node(deck, pairs[0], joint.nodes[3])):
+    if kind == "universal" and not is_perpendicular(to_node(deck, pairs[0], joint.nodes[2]),
+                                                    to_node(deck, pairs[0], joint.nodes[3])):
         return "a universal joint whose axes, from node 1 to 3 and from 2 to 4, are not perpendicular"
     return ""
 

@@ -26,7 +26,8 @@ def read_body_load(deck: KeywordDeck, card: Card) -> None:
     factors, scale = find_factors(deck, row, form.lower()), row.number("SF") or 1.0
     curve = deck.curve(row.integer("LCID"), row.place, "time", "acceleration")
     if row.integer("LCIDDR") and "relaxation" in deck.model.deck.get("start", {}):
-        deck.ledger.refuse(f"{card.keyword}.LCIDDR", row.place, "LCIDDR, a load of the relaxation alone", "the relaxation has LCID at time 0")
+        deck.ledger.refuse(f"{card.keyword}.LCIDDR", row.place, "LCIDDR, a load of the relaxation alone",
+                           "the relaxation has LCID at time 0")
     row.skip("LCIDDR")
     row.finish(deck.ledger)
     for direction, factor in factors.items():
@@ -57,7 +58,8 @@ def read_part_gravity(deck: KeywordDeck, card: Card) -> None:
         parts = deck.list_members("PART", id, row.place) if "SET" in card.keyword else [id]
         for part in parts:
             deck.find_part(part, row.place)
-        deck.part_gravity.append(PartGravity(card, row.place, set(parts), AXES[dof - 1], row.integer("LC"), acceleration))
+        deck.part_gravity.append(PartGravity(card, row.place, set(parts), AXES[dof - 1], row.integer("LC"),
+                                             acceleration))
         row.finish(deck.ledger, "it acts during the whole run")
 
 
@@ -74,17 +76,21 @@ def apply_part_gravity(deck: KeywordDeck) -> None:
             problem = f"gravity of some parts (part {min(missed)} has none along {axis})"
             if not deck.ledger.refuse(first.card.keyword, first.place, problem, "gravity acts on all parts"):
                 continue
-        value = make_time_value(deck.curve(curve, first.place, "time", "none"), -acceleration, deck.end_time) if curve else -acceleration
+        value = (make_time_value(deck.curve(curve, first.place, "time", "none"), -acceleration, deck.end_time) if curve
+                 else -acceleration)
         add_gravity(deck, first.card, axis, value, first.place)
         for entry in entries:
-            deck.ledger.translated(entry.card.keyword, entry.place, "loads.gravity of all parts, with the opposite sign")
+            deck.ledger.translated(entry.card.keyword, entry.place,
+                                   "loads.gravity of all parts, with the opposite sign")
 
 
 def read_node_load(deck: KeywordDeck, card: Card) -> None:
     """*LOAD_NODE_SET and _POINT."""
     form = card.keyword.removeprefix("LOAD_NODE_")
     if form not in ("SET", "POINT"):
-        deck.ledger.refuse(card.keyword, card.place, "a load whose function is evaluated once, or another form of loads on nodes", "it is left out")
+        deck.ledger.refuse(card.keyword, card.place,
+                           "a load whose function is evaluated once, or another form of loads on nodes",
+                           "it is left out")
         return
     reader = card.reader()
     while reader.next_card():
@@ -93,7 +99,8 @@ def read_node_load(deck: KeywordDeck, card: Card) -> None:
         row = reader.row("ID DOF LCID SF=1 CID M1~unused M2~unused M3~unused")
         direction = DIRECTIONS.get(row.integer("DOF"))
         if direction is None:
-            deck.ledger.refuse(f"{card.keyword}.DOF", row.place, f"DOF {row.integer('DOF')}, a follower force", "it is left out")
+            deck.ledger.refuse(f"{card.keyword}.DOF", row.place,
+                               f"DOF {row.integer('DOF')}, a follower force", "it is left out")
             continue
         load, id = make_load(deck, row, direction), row.integer("ID")
         row.finish(deck.ledger)
@@ -147,13 +154,15 @@ def read_body_force(deck: KeywordDeck, card: Card) -> None:
         row = reader.row("ID DOF LCID SF=1 CID M1~unused M2~unused M3~unused")
         direction, id = DIRECTIONS.get(row.integer("DOF")), row.integer("ID")
         if direction is None:
-            deck.ledger.refuse(f"{card.keyword}.DOF", row.place, f"DOF {row.integer('DOF')}, a follower force", "it is left out")
+            deck.ledger.refuse(f"{card.keyword}.DOF", row.place,
+                               f"DOF {row.integer('DOF')}, a follower force", "it is left out")
             continue
         load = make_load(deck, row, direction)
         row.finish(deck.ledger)
         body = find_body_name(deck, id, row.place)
         if not body:
-            deck.ledger.refuse(card.keyword, row.place, f"a load on part {id}, which is no rigid body with elements", "it is left out")
+            deck.ledger.refuse(card.keyword, row.place,
+                               f"a load on part {id}, which is no rigid body with elements", "it is left out")
             continue
         add_load(deck, {"body": body, **load})
         deck.ledger.translated(card.keyword, row.place, "loads.nodal of the rigid body")
@@ -179,7 +188,8 @@ def read_segment_load(deck: KeywordDeck, card: Card) -> None:
             nodes = [row.integer(name) for name in ("N1", "N2", "N3", "N4")]
             faces = [tuple(nodes[:3] if nodes[3] in (0, nodes[2]) else nodes)]
             if row.integer("N5"):
-                deck.ledger.refuse(f"{card.keyword}.N5", row.place, "N5 to N8, a face with nodes on its edges", "the corners alone count")
+                deck.ledger.refuse(f"{card.keyword}.N5", row.place, "N5 to N8, a face with nodes on its edges",
+                                   "the corners alone count")
                 reader.take()
         else:
             row = reader.row("ID LCID SF=1 AT")
@@ -205,7 +215,9 @@ def list_faces(deck: KeywordDeck, card: Card, row: Row, shells: dict[int, Face])
     wanted = deck.list_members("SHELL", id, row.place) if card.keyword == "LOAD_SHELL_SET" else [id + deck.shell_shift]
     lost = [shell for shell in wanted if shell not in shells]
     if lost:
-        deck.ledger.refuse(f"{card.keyword}.free", row.place, f"a pressure on shell {lost[0] - deck.shell_shift}, which is not in the mesh", "it is left out")
+        deck.ledger.refuse(f"{card.keyword}.free", row.place,
+                           f"a pressure on shell {lost[0] - deck.shell_shift}, which is not in the mesh",
+                           "it is left out")
     return [shells[shell] for shell in wanted if shell in shells]
 
 
@@ -213,11 +225,13 @@ def note_crossed(deck: KeywordDeck, card: Card, faces: list[Face], place: Place)
     """Tells of faces whose nodes are not in order around them."""
     for face in faces:
         if all(node in deck.nodes for node in face) and is_crossed([deck.nodes[node] for node in face]):
-            deck.ledger.approximated(f"{card.keyword}.crossed", place, "nodes that are not in order around their face: their normal is that of the last three")
+            deck.ledger.approximated(f"{card.keyword}.crossed", place, "nodes that are not in order around their face: "
+                                                                       "their normal is that of the last three")
 
 
 def apply_pressures(deck: KeywordDeck, card: Card, groups: dict[tuple[int, float, float], list[Face]]) -> None:
-    """Pressures by curve and side: percuss pushes into a solid, whatever the order of the nodes, LS-DYNA against their normal."""
+    """Pressures by curve and side: percuss pushes into a solid, whatever the order of the nodes,
+    LS-DYNA against their normal."""
     owners = FaceOwners(deck.model, {node for faces in groups.values() for face in faces for node in face})
     for (curve_id, scale, shift), faces in groups.items():
         if curve_id == BLAST_CURVE:
@@ -234,7 +248,8 @@ def split_by_sign(deck: KeywordDeck, card: Card, faces: list[Face], owners: Face
     for face in faces:
         sign = owners.find_sign(face)
         if sign is None:
-            deck.ledger.refuse(f"{card.keyword}.free", card.place, "segments that are not a face of any element", "they are left out")
+            deck.ledger.refuse(f"{card.keyword}.free", card.place,
+                               "segments that are not a face of any element", "they are left out")
         else:
             by_sign.setdefault(sign, []).append(face)
     return by_sign
@@ -265,7 +280,8 @@ def read_blast(deck: KeywordDeck, card: Card) -> None:
         more = reader.row("CFM~unused CFL~unused CFT~unused CFP~unused")
     else:
         row = reader.row("BID M XBO YBO ZBO TBO UNIT=2 BLAST=2")
-        id, charge, units, kind = row.integer("BID"), row.positive("M"), row.integer("UNIT") or 2, row.integer("BLAST") or 2
+        id, charge, units, kind = (row.integer("BID"), row.positive("M"), row.integer("UNIT") or 2,
+                                   row.integer("BLAST") or 2)
         more = reader.row("CFM~unused CFL~unused CFT~unused CFP~unused NIDBO DEATH NEGPHS")
         if 0 < more.number("DEATH") < deck.end_time:
             deck.ledger.refuse(f"{card.keyword}.DEATH", more.place, "a blast that ends before the run", "it acts on")
@@ -280,11 +296,14 @@ def read_blast(deck: KeywordDeck, card: Card) -> None:
     row.finish(deck.ledger)
     more.finish(deck.ledger, "the charge stays at its place")
     if kind not in BURSTS:
-        deck.ledger.refuse(f"{card.keyword}.{'ISURF' if is_old else 'BLAST'}", row.place, "a burst whose charge moves, or whose wave the ground reflects (percuss knows a sphere in free air, and a hemisphere on the ground)", "it is taken as one in free air")
+        deck.ledger.refuse(f"{card.keyword}.{'ISURF' if is_old else 'BLAST'}", row.place,
+                           "a burst whose charge moves, or whose wave the ground reflects (percuss knows a sphere in "
+                           "free air, and a hemisphere on the ground)", "it is taken as one in free air")
     if BURSTS.get(kind) != "ground":
         entry["burst"] = "air"
     if units not in BLAST_UNITS:
-        deck.ledger.refuse(f"{card.keyword}.{'IUNIT' if is_old else 'UNIT'}", row.place, "a blast in English units, or with factors of its own", "the blast is left out")
+        deck.ledger.refuse(f"{card.keyword}.{'IUNIT' if is_old else 'UNIT'}", row.place,
+                           "a blast in English units, or with factors of its own", "the blast is left out")
         return
     deck.blasts[id] = entry
     deck.model.units = BLAST_UNITS[units]
@@ -297,14 +316,16 @@ def find_blast(deck: KeywordDeck, card: Card, id: int) -> Deck:
     return deck.blasts[id]
 
 
-def apply_blast(deck: KeywordDeck, card: Card, blast: Deck, scale: float, faces: list[Face], owners: FaceOwners) -> None:
+def apply_blast(deck: KeywordDeck, card: Card, blast: Deck, scale: float, faces: list[Face],
+                owners: FaceOwners) -> None:
     if scale != 1:
         deck.ledger.refuse(f"{card.keyword}.scale", card.place, "a blast that is scaled", "it is taken as it is")
     for sign, members in split_by_sign(deck, card, faces, owners).items():
         if sign > 0:
             press_on(deck, card, members, {"blast": dict(blast)})
         else:
-            deck.ledger.refuse(f"{card.keyword}.inside", card.place, "a blast on segments whose normal points into their solid", "they are left out")
+            deck.ledger.refuse(f"{card.keyword}.inside", card.place,
+                               "a blast on segments whose normal points into their solid", "they are left out")
 
 
 def read_blast_segments(deck: KeywordDeck, card: Card) -> None:

@@ -45,14 +45,16 @@ def add_to_nodes(deck: KeywordDeck, row: Row) -> None:
         if node in deck.bodies_of_nodes:
             add_body_mass(deck, node, mass / len(members), row.place)
     if any(node not in deck.bodies_of_nodes for node in bare):
-        deck.ledger.refuse("ELEMENT_MASS_NODE_SET.free", row.place, "masses on nodes without elements that belong to no rigid body", "their share is left out")
+        deck.ledger.refuse("ELEMENT_MASS_NODE_SET.free", row.place,
+                           "masses on nodes without elements that belong to no rigid body", "their share is left out")
     if name and mass > 0:
         deck.model.add("added_mass", {"nodes": name, "mass": mass * len(kept) / len(members), "spread": "evenly"})
     deck.ledger.translated(row.card, row.place, "added_mass, equal shares of the nodes")
 
 
 def add_to_parts(deck: KeywordDeck, row: Row) -> None:
-    """ADDMASS, or what FINMASS lacks, by area; by mass, which is the same where parts have one thickness and density."""
+    """ADDMASS, or what FINMASS lacks, by area;
+    by mass, which is the same where parts have one thickness and density."""
     id, added, final = row.integer("ID"), row.number("ADDMASS"), row.number("FINMASS")
     is_set = row.card.endswith("SET")
     parts = deck.list_members("PART", id, row.place) if is_set else [deck.find_part(id, row.place).id]
@@ -63,9 +65,11 @@ def add_to_parts(deck: KeywordDeck, row: Row) -> None:
     blocks = [block for block in deck.model.blocks if block.part in parts]
     own = sum(measure_block(deck.model, block)[0] for block in blocks)
     if final and (added or final < own):
-        raise BadInput(row.place, f"FINMASS of *{row.card} is {final:g} beside ADDMASS or below the mass {own:g} of the elements: correct one")
+        raise BadInput(row.place, f"FINMASS of *{row.card} is {final:g} beside ADDMASS or below the mass {own:g} of "
+                                  "the elements: correct one")
     mass = final - own if final else added
-    name = deck.make_node_set(f"massed_{id}", sorted(deck.model.nodes_of_blocks(block.id for block in blocks)), row.place)
+    name = deck.make_node_set(f"massed_{id}",
+                              sorted(deck.model.nodes_of_blocks(block.id for block in blocks)), row.place)
     if not name or mass <= 0:
         deck.ledger.ignored(row.card, row.place, "it adds no mass, or its parts have no elements")
         return

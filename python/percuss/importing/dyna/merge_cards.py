@@ -29,7 +29,8 @@ def read_merge_tolerance(deck: KeywordDeck, card: Card) -> None:
 
 
 def merge_nodes(deck: KeywordDeck) -> None:
-    """Of nodes within the tolerance the one with the lowest id stays. Elements and sets get it in place of the others, which are gone."""
+    """Of nodes within the tolerance the one with the lowest id stays.
+    Elements and sets get it in place of the others, which are gone."""
     for row in deck.merged_sets:
         members = [node for node in deck.list_members("NODE", row.integer("NSID"), row.place) if node in deck.nodes]
         tolerance = deck.merge_tolerance or USUAL * find_extent(deck) / len(deck.nodes) ** (1 / 3)
@@ -57,7 +58,8 @@ def find_merged(deck: KeywordDeck, nodes: list[int], tolerance: float) -> dict[i
     for node in nodes:
         place = deck.nodes[node]
         cell = find_cell(place, tolerance)
-        near = (other for step in product((-1, 0, 1), repeat=3) for other in kept.get(tuple(c + s for c, s in zip(cell, step)), ()))
+        near = (other for step in product((-1, 0, 1), repeat=3)
+                for other in kept.get(tuple(c + s for c, s in zip(cell, step)), ()))
         found = min((other for other in near if math.dist(place, deck.nodes[other]) <= tolerance), default=None)
         if found is None:
             kept.setdefault(cell, []).append(node)
@@ -73,4 +75,5 @@ def find_cell(place: Vector, size: float) -> tuple[int, ...]:
 def rename_corners(elements: Elements, name: Callable[[int], int]) -> None:
     elements.solids = [(id, tuple(map(name, corners))) for id, corners in elements.solids]
     elements.shells = [replace(shell, corners=tuple(map(name, shell.corners))) for shell in elements.shells]
-    elements.beams = [replace(beam, ends=tuple(map(name, beam.ends)), third=name(beam.third)) for beam in elements.beams]
+    elements.beams = [replace(beam, ends=tuple(map(name, beam.ends)), third=name(beam.third))
+                      for beam in elements.beams]

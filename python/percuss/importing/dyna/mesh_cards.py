@@ -3,6 +3,7 @@
 from ..fields import MOST_ID, Row, clip, parse_integer, parse_real, shift_hint
 from ..ledger import BadInput, Place
 from ..model import Vector
+from ..shapes import make_vector
 from ..solids import collapse
 from .cards import Card, Lines
 from .deck import Element, Elements, KeywordDeck
@@ -22,14 +23,17 @@ def to_id(card: Card, number: int, text: str, what: str, may_be_blank: bool = Fa
         return 0
     value = parse_integer(text)
     if value is None or not (0 if may_be_blank else 1) <= value <= MOST_ID:
-        raise BadInput(card.at(number), f"{what} of *{card.keyword} is '{clip(text)}' (an id from 1 to 10^15 is expected{shift_hint(text)})")
-    return value + card.change.shift_of(card.keyword, "NID" if what == "node" else what) if value and card.change is not UNCHANGED else value
+        raise BadInput(card.at(number), f"{what} of *{card.keyword} is '{clip(text)}' "
+                                        f"(an id from 1 to 10^15 is expected{shift_hint(text)})")
+    return (value + card.change.shift_of(card.keyword, "NID" if what == "node" else what)
+            if value and card.change is not UNCHANGED else value)
 
 
 def to_real(card: Card, number: int, text: str, what: str) -> float:
     value = parse_real(text) if text else 0.0
     if value is None:
-        raise BadInput(card.at(number), f"{what} of *{card.keyword} is '{clip(text)}' (a number is expected{shift_hint(text)})")
+        raise BadInput(card.at(number),
+                       f"{what} of *{card.keyword} is '{clip(text)}' (a number is expected{shift_hint(text)})")
     return value
 
 
@@ -45,7 +49,8 @@ def read_nodes(deck: KeywordDeck, card: Card) -> None:
         if change is not UNCHANGED:
             x = change.move(x)  # type: ignore[arg-type]
         if deck.nodes.get(id, x) != x:
-            raise BadInput(card.at(line[0]), f"node {id} is defined twice, at different places (the first is at {deck.node_lines.find(id)}): renumber or remove one")
+            raise BadInput(card.at(line[0]), f"node {id} is defined twice, at different places "
+                                             f"(the first is at {deck.node_lines.find(id)}): renumber or remove one")
         deck.nodes[id] = x  # type: ignore[assignment]
         deck.node_lines.note(card.at(line[0]), id)
         code = int(to_real(card, line[0], texts[4], "TC")), int(to_real(card, line[0], texts[5], "RC"))
@@ -78,7 +83,8 @@ def move_nodes(deck: KeywordDeck, row: Row) -> None:
         row.fail("TRSID", "there is no such *DEFINE_TRANSFORMATION")
     transform = deck.transformations[id].find(dict(deck.nodes), deck.ledger)
     if FileChange(transform=transform).mirrors():
-        deck.ledger.refuse("NODE_TRANSFORM.MIRROR", row.place, "nodes that are mirrored, with elements that then are inside out", "they stay")
+        deck.ledger.refuse("NODE_TRANSFORM.MIRROR", row.place,
+                           "nodes that are mirrored, with elements that then are inside out", "they stay")
         return
     for node in deck.list_members("NODE", row.integer("NSID"), row.place):
         if node in deck.nodes:
@@ -111,7 +117,8 @@ def read_solids(deck: KeywordDeck, card: Card) -> None:
 
 
 def read_thick_shells(deck: KeywordDeck, card: Card) -> None:
-    """EID PID N1-N8: the first four nodes are the bottom, the others the top. Six nodes make a wedge, which is no thick shell."""
+    """EID PID N1-N8: the first four nodes are the bottom, the others the top.
+    Six nodes make a wedge, which is no thick shell."""
     for line in card.lines:
         if not line[1].strip():
             continue
@@ -127,14 +134,15 @@ def read_thick_shells(deck: KeywordDeck, card: Card) -> None:
             continue
         found.others.add("ELEMENT_TSHELL.degenerate")
         text = f"a thick shell with {len(set(corners))} different nodes"
-        deck.ledger.refuse("ELEMENT_TSHELL.degenerate", place, text, "these elements are left out, and the body has holes")
+        deck.ledger.refuse("ELEMENT_TSHELL.degenerate", place, text,
+                           "these elements are left out, and the body has holes")
     deck.ledger.translated("ELEMENT_TSHELL", card.place, "hexahedra of the mesh, ids kept; they are thick shells")
 
 
 def read_direction(card: Card, reader: Lines, name: str) -> Vector:
     line = reader.take()
     texts = card.split(line, (16, 16, 16)) + [""] * 3
-    return tuple(to_real(card, line[0], text, f"{name}{i}") for i, text in enumerate(texts[:3], 1))  # type: ignore[return-value]
+    return make_vector(to_real(card, line[0], text, f"{name}{i}") for i, text in enumerate(texts[:3], 1))
 
 
 def turn_over(corners: list[int]) -> list[int]:
@@ -196,12 +204,15 @@ def read_shells(deck: KeywordDeck, card: Card) -> None:
         corners = nodes[:3] if nodes[3] in (0, nodes[2]) else nodes[:4]
         if 0 in corners or len(set(corners)) < len(corners):
             raise BadInput(card.at(line[0]), f"shell {id} has fewer than three different corners: correct or remove it")
-        elements_of(deck, part, card.at(line[0])).shells.append(Element(id, tuple(corners), thickness, *((0.0, int(turn)) if "MCID" in options else (turn, 0))))
+        elements_of(deck, part, card.at(line[0])).shells.append(
+            Element(id, tuple(corners), thickness, *((0.0, int(turn)) if "MCID" in options else (turn, 0))))
     deck.ledger.translated(card.keyword, card.place, "elements of the mesh, ids kept")
 
 
-def read_shell_options(deck: KeywordDeck, card: Card, reader: Lines, options: set[str], has_mid_nodes: bool) -> tuple[float | None, float]:
-    """Thickness of a shell from its further lines: the mean of its corners. And the angle of its axes, or the system of MCID."""
+def read_shell_options(deck: KeywordDeck, card: Card, reader: Lines, options: set[str],
+                       has_mid_nodes: bool) -> tuple[float | None, float]:
+    """Thickness of a shell from its further lines: the mean of its corners.
+    And the angle of its axes, or the system of MCID."""
     thickness, turn = None, 0.0
     if options & {"THICKNESS", "BETA", "MCID"}:
         row = reader.row("T1 T2 T3 T4 BETA", SIXTEENS)
@@ -210,11 +221,13 @@ def read_shell_options(deck: KeywordDeck, card: Card, reader: Lines, options: se
         if values:
             thickness = sum(values) / len(values) if len(set(values)) > 1 else values[0]
         if len(set(values)) > 1:
-            deck.ledger.approximated("ELEMENT_SHELL.THICKNESS", row.place, "shells have the mean thickness of their corners")
+            deck.ledger.approximated("ELEMENT_SHELL.THICKNESS", row.place,
+                                     "shells have the mean thickness of their corners")
         if has_mid_nodes:
             reader.take()
     if "OFFSET" in options and reader.row("OFFSET", (16,)).number("OFFSET") != 0:
-        deck.ledger.refuse("ELEMENT_SHELL.OFFSET", card.place, "shells with offsets of their own", "the mesh is the middle surface")
+        deck.ledger.refuse("ELEMENT_SHELL.OFFSET", card.place, "shells with offsets of their own",
+                           "the mesh is the middle surface")
     return thickness, turn
 
 

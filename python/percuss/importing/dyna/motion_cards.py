@@ -1,4 +1,5 @@
-"""*BOUNDARY_PRESCRIBED_MOTION_NODE and _SET: what a row of *BOUNDARY_PRESCRIBED_MOTION says of the velocity over time, and when it acts."""
+"""*BOUNDARY_PRESCRIBED_MOTION_NODE and _SET:
+what a row of *BOUNDARY_PRESCRIBED_MOTION says of the velocity over time, and when it acts."""
 
 from ..curves import Curve, Points, differentiate, integrate, make_time_value, order_points
 from ..fields import Row
@@ -24,16 +25,20 @@ def find_window(deck: KeywordDeck, row: Row) -> Window:
 
 
 def list_values(deck: KeywordDeck, row: Row, curve: Curve, start: float | None) -> Points | None:
-    """Velocity over the time since BIRTH, where it follows from a table; None: refused. start: the velocity at time 0; None: not known."""
+    """Velocity over the time since BIRTH, where it follows from a table; None: refused.
+    start: the velocity at time 0; None: not known."""
     kind, points = row.integer("VAD"), order_points(curve.points)
     if kind == DISPLACEMENT:
-        deck.ledger.approximated(f"{CARD}.VAD", row.place, "the slope of the displacement, or of the angle, as a velocity")
+        deck.ledger.approximated(f"{CARD}.VAD", row.place,
+                                 "the slope of the displacement, or of the angle, as a velocity")
         return differentiate(points)
     if start is None or row.number("BIRTH") > 0:
-        why = "an acceleration that begins later, from a velocity that is not known" if start is not None else "an acceleration of nodes whose velocity at the start is not known"
+        why = ("an acceleration that begins later, from a velocity that is not known" if start is not None
+               else "an acceleration of nodes whose velocity at the start is not known")
         deck.ledger.refuse(f"{CARD}.VAD", row.place, why, "the motion is left out")
         return None
-    deck.ledger.approximated(f"{CARD}.VAD", row.place, "the initial velocity and the integral of the acceleration, as a velocity")
+    deck.ledger.approximated(f"{CARD}.VAD", row.place,
+                             "the initial velocity and the integral of the acceleration, as a velocity")
     # Before its first point and behind its last one a curve is 0: the velocity stays.
     return [(time, start + value) for time, value in order_points(integrate(points))]
 
@@ -52,9 +57,12 @@ def make_motion(deck: KeywordDeck, row: Row, direction: str, sign: float, start:
     if not acts_in_run(deck, found, row.place):
         return None
     scale = (row.number("SF") or 1.0) * sign
-    curve = Curve(found.place, [(x, scale * y) for x, y in found.points], found.expression and f"{scale!r} * ({found.expression})")
-    if kind not in (VELOCITY, ACCELERATION, DISPLACEMENT) or (curve.expression and (kind == ACCELERATION or (turns and kind == DISPLACEMENT) or birth)):
-        deck.ledger.refuse(f"{CARD}.VAD", row.place, f"VAD {kind} in direction {direction}, of this curve", "the motion is left out")
+    curve = Curve(found.place, [(x, scale * y) for x, y in found.points],
+                  found.expression and f"{scale!r} * ({found.expression})")
+    if (kind not in (VELOCITY, ACCELERATION, DISPLACEMENT)
+            or (curve.expression and (kind == ACCELERATION or (turns and kind == DISPLACEMENT) or birth))):
+        deck.ledger.refuse(f"{CARD}.VAD", row.place,
+                           f"VAD {kind} in direction {direction}, of this curve", "the motion is left out")
         return None
     window = switch(deck, find_window(deck, row))
     if kind == DISPLACEMENT and not turns and not birth:
@@ -90,13 +98,15 @@ def make_displacement(deck: KeywordDeck, row: Row, curve: Curve, direction: str,
     value = make_time_value(Curve(curve.place, points, curve.expression), 1.0, deck.end_time)
     rows = value["table"] if isinstance(value, dict) and "table" in value else [[0.0, value]]
     if not curve.expression and rows[0][1] != 0:
-        deck.ledger.refuse(f"{CARD}.LCID", row.place, "a displacement that is not 0 at time 0", "the motion is left out")
+        deck.ledger.refuse(f"{CARD}.LCID", row.place,
+                           "a displacement that is not 0 at time 0", "the motion is left out")
         return None
     return {"displacement": {direction: value}, **window}
 
 
 def find_directions(deck: KeywordDeck, row: Row) -> dict[str, float] | None:
-    """Directions of space in which a motion acts, with their factors; None: it is refused. DOF 4 and 8 are along a vector."""
+    """Directions of space in which a motion acts, with their factors; None: it is refused.
+    DOF 4 and 8 are along a vector."""
     dof, vid = row.integer("DOF"), row.integer("VID")
     if 1 <= dof <= 3 or 5 <= dof <= 7:
         prefix, k = ("", dof - 1) if dof <= 3 else ("r", dof - 5)
@@ -117,7 +127,8 @@ def find_directions(deck: KeywordDeck, row: Row) -> dict[str, float] | None:
         return {prefix + AXES[d]: axis[d] for d in range(3)}
     if len(factors) > 1:
         problem = f"a motion along a direction that is no axis of space, in which DOF is {dof}"
-        is_allowed = deck.ledger.refuse(f"{CARD}.DOF", row.place, problem, "what is across it is held, as with DOF below 0")
+        is_allowed = deck.ledger.refuse(f"{CARD}.DOF", row.place, problem,
+                                        "what is across it is held, as with DOF below 0")
         return {prefix + AXES[d]: axis[d] for d in range(3)} if is_allowed else {}
     return factors
 
@@ -131,7 +142,8 @@ def list_motions(deck: KeywordDeck, row: Row, start: dict[str, float] | None) ->
     motions = []
     for direction, factor in factors.items():
         before = None if start is None else start.get(direction)
-        motion = make_motion(deck, row, direction, factor, before) if factor else {"velocity": {direction: 0.0}, **switch(deck, find_window(deck, row))}
+        motion = (make_motion(deck, row, direction, factor, before) if factor
+                  else {"velocity": {direction: 0.0}, **switch(deck, find_window(deck, row))})
         if motion:
             motions.append((direction, motion))
     return motions
@@ -150,13 +162,15 @@ def read_motion(deck: KeywordDeck, card: Card) -> None:
         row = reader.row(LAYOUT)
         if abs(row.integer("DOF")) in (9, 10, 11) or row.integer("VAD") == 4:
             more = reader.row(MORE)
-            apply_turn(deck, row, more, card.keyword, list_card_nodes(deck, row.integer("ID"), form == "SET", row.place), form == "SET")
+            apply_turn(deck, row, more, card.keyword,
+                       list_card_nodes(deck, row.integer("ID"), form == "SET", row.place), form == "SET")
             continue
         apply_motion(deck, card, row, form == "SET")
 
 
 def apply_motion(deck: KeywordDeck, card: Card, row: Row, is_set: bool) -> None:
-    """Conditions on nodes, apart by their velocity at the start if they accelerate; and on the bodies that nodes belong to."""
+    """Conditions on nodes, apart by their velocity at the start if they accelerate;
+    and on the bodies that nodes belong to."""
     id = row.integer("ID")
     found = sort_nodes(deck, list_card_nodes(deck, id, is_set, row.place), row.place)
     refuse_lost(deck, card.keyword, found.lost, row.place, "a motion")
@@ -175,7 +189,8 @@ def apply_motion(deck: KeywordDeck, card: Card, row: Row, is_set: bool) -> None:
         groups.setdefault(key, []).append(node)
     for key, nodes in groups.items():
         start = None if key is None else dict(key)
-        name = name_nodes(deck, id, is_set, found.free, row.place) if len(groups) == 1 else deck.make_node_set(f"accelerated_{id}", nodes, row.place)
+        name = (name_nodes(deck, id, is_set, found.free, row.place) if len(groups) == 1
+                else deck.make_node_set(f"accelerated_{id}", nodes, row.place))
         add_motions(deck, name, list_motions(deck, row, start), row.place)
 
 

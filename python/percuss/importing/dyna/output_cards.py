@@ -4,7 +4,7 @@ from typing import Any
 
 from .. import laws
 from ..model import Block, Deck
-from ..shapes import dot, subtract
+from ..shapes import dot, make_vector, subtract
 from .cards import Card, read_ids
 from .deck import KeywordDeck
 from .preload_cards import Plane
@@ -16,13 +16,15 @@ MOST_FORCES = 32  # of contact and walls
 MOST_FRAMES = 100000
 # Files whose values are columns of the history, with what asks for them or where they always are.
 ASCII = {
-    "NODOUT": "followed nodes", "ELOUT": "followed elements", "GLSTAT": "energies of the scene", "MATSUM": "energies of parts",
-    "RCFORC": "forces of contact", "SPCFORC": "forces of supports", "BNDOUT": "forces of supports", "RWFORC": "forces of walls",
-    "SECFORC": "forces of sections", "SLEOUT": "work of contact by pairs", "DEFORC": "spring_force of each spring",
-    "JNTFORC": "joint_fx of each joint", "SWFORC": "weld_normal and weld_shear of each weld", "RBDOUT": "body_x of each rigid body",
+    "NODOUT": "followed nodes", "ELOUT": "followed elements", "GLSTAT": "energies of the scene",
+    "MATSUM": "energies of parts", "RCFORC": "forces of contact", "SPCFORC": "forces of supports",
+    "BNDOUT": "forces of supports", "RWFORC": "forces of walls", "SECFORC": "forces of sections",
+    "SLEOUT": "work of contact by pairs", "DEFORC": "spring_force of each spring", "JNTFORC": "joint_fx of each joint",
+    "SWFORC": "weld_normal and weld_shear of each weld", "RBDOUT": "body_x of each rigid body",
 }  # fmt: skip
 # Files of what the deck may not have: sections of the deck of percuss, and what they hold.
-OF_SECTIONS = {"RWFORC": (("walls",), "rigid wall"), "DEFORC": (("springs", "turn_springs"), "spring"), "JNTFORC": (("joints",), "joint"), "SWFORC": (("welds",), "weld")}
+OF_SECTIONS = {"RWFORC": (("walls",), "rigid wall"), "DEFORC": (("springs", "turn_springs"), "spring"),
+               "JNTFORC": (("joints",), "joint"), "SWFORC": (("welds",), "weld")}
 
 
 def read_database(deck: KeywordDeck, card: Card) -> None:
@@ -38,7 +40,9 @@ def read_database(deck: KeywordDeck, card: Card) -> None:
         if step > 0:
             deck.output.rows = min(deck.output.rows or step, step)
         elif row.integer("LCUR"):
-            deck.ledger.approximated(f"{card.keyword}.LCUR", card.place, "an interval that varies in time: the shortest of the others, or a thousandth of the run")
+            deck.ledger.approximated(f"{card.keyword}.LCUR", card.place,
+                                     "an interval that varies in time: the shortest of the others, "
+                                     "or a thousandth of the run")
     elif name == "CROSS_SECTION_SET":
         read_section(deck, card)
     elif name.startswith("HISTORY_"):
@@ -81,7 +85,8 @@ def read_section(deck: KeywordDeck, card: Card) -> None:
     wish = reader.row("CSID~label TITLE~label", (10, 70)).text("TITLE") if card.has_id else ""
     row = reader.row("NSID HSID BSID SSID TSID DSID ID ITYPE")
     if row.integer("BSID") or row.integer("TSID") or row.integer("DSID"):
-        deck.ledger.ignored(card.keyword, card.place, "a section through beams, thick shells or discrete elements, which percuss has by planes alone")
+        deck.ledger.ignored(card.keyword, card.place, "a section through beams, thick shells or discrete elements, "
+                                                      "which percuss has by planes alone")
         return
     kinds = [(kind, row.integer(field)) for kind, field in (("SOLID", "HSID"), ("SHELL", "SSID"))]
     elements = [deck.element_set_name(kind, id, card.place) for kind, id in kinds if id]
@@ -117,7 +122,8 @@ def add_planes(deck: KeywordDeck) -> None:
         names: list[str | None] = [None] if len(asked) == len(cut) else [block.name for block in asked]
         for part in names:
             name = deck.model.names.take(plane.title if part is None else f"{plane.title}_{part}")
-            deck.sections_by_sets.append({"name": name, "section": section if part is None else {"part": part, **section}})
+            deck.sections_by_sets.append({"name": name,
+                                          "section": section if part is None else {"part": part, **section}})
         text = "output.history.forces of a section"
         if len(names) > 1:
             deck.ledger.approximated(plane.card, plane.place, text + "; one for each part that it cuts")
@@ -134,8 +140,8 @@ def add_limited_plane(deck: KeywordDeck, plane: Plane, blocks: list[Block]) -> N
     for block in blocks:
         for id, corners in block.elements():
             heights = {node: dot(subtract(deck.nodes[node], plane.point), plane.normal) for node in corners}
-            middle = tuple(sum(deck.nodes[node][d] for node in corners) / len(corners) for d in range(3))
-            if not min(heights.values()) < 0 < max(heights.values()) or not plane.holds(middle):  # type: ignore[arg-type]
+            middle = make_vector(sum(deck.nodes[node][d] for node in corners) / len(corners) for d in range(3))
+            if not min(heights.values()) < 0 < max(heights.values()) or not plane.holds(middle):
                 continue
             if block.beams:
                 others += 1
@@ -143,15 +149,18 @@ def add_limited_plane(deck: KeywordDeck, plane: Plane, blocks: list[Block]) -> N
             cut["SOLID" if block.solids else "SHELL"].append(id)
             behind |= {node for node, height in heights.items() if height < 0}
     if not behind or others:
-        text = "a plane with limits that cuts beams, which percuss has by planes without limits" if others else "a plane that cuts no element within its limits"
+        text = ("a plane with limits that cuts beams, which percuss has by planes without limits" if others
+                else "a plane that cuts no element within its limits")
         deck.ledger.ignored(plane.card, plane.place, f"{text}: it is not written")
         return
     names = [deck.model.names.take(f"{plane.title}_elements") for ids in cut.values() if ids]
     deck.model.element_sets |= dict(zip(names, [(kind, sorted(ids)) for kind, ids in cut.items() if ids]))
     nodes = deck.model.add_node_set(f"{plane.title}_nodes", behind)
-    section = {"name": deck.model.names.take(plane.title), "section": {"nodes": nodes, "elements": names}, "about": list(plane.point)}
+    section = {"name": deck.model.names.take(plane.title), "section": {"nodes": nodes, "elements": names},
+               "about": list(plane.point)}
     deck.sections_by_sets.append(section)
-    deck.ledger.approximated(plane.card, plane.place, "output.history.forces of the elements that the plane cuts at time 0, whose middle lies within its limits; along global axes")
+    deck.ledger.approximated(plane.card, plane.place, "output.history.forces of the elements that the plane cuts at "
+                                                      "time 0, whose middle lies within its limits; along global axes")
 
 
 def is_cut(deck: KeywordDeck, block: Block, plane: Plane) -> bool:
@@ -161,7 +170,8 @@ def is_cut(deck: KeywordDeck, block: Block, plane: Plane) -> bool:
         for node in corners:
             if node not in heights:
                 heights[node] = dot(subtract(deck.nodes[node], plane.point), plane.normal)
-    return any(min(heights[n] for n in corners) < 0 < max(heights[n] for n in corners) for _, corners in block.elements())
+    return any(min(heights[n] for n in corners) < 0 < max(heights[n] for n in corners)
+               for _, corners in block.elements())
 
 
 def read_points(deck: KeywordDeck, card: Card, name: str) -> None:
@@ -176,7 +186,8 @@ def read_points(deck: KeywordDeck, card: Card, name: str) -> None:
     if "LOCAL" in name:
         deck.ledger.approximated(card.keyword, card.place, "output.history.nodes, along global axes")
         if not card.has_id:
-            ids = [card.row(line, "ID CID~output REF~output HFO~output").integer("ID") for line in card.lines if line[1].strip()]
+            ids = [card.row(line, "ID CID~output REF~output HFO~output").integer("ID")
+                   for line in card.lines if line[1].strip()]
             if "SET" in name:
                 ids = [member for id in ids for member in deck.list_members(kind, id, card.place)]
             deck.output.nodes.extend(ids)
@@ -202,7 +213,8 @@ def read_accelerometers(deck: KeywordDeck, card: Card) -> None:
         nodes = [row.integer(field) for field in ("NID1", "NID2", "NID3")]
         gravity, way, mass = row.integer("IGRAV"), row.integer("INTOPT"), row.number("MASS")
         if gravity not in (0, 1):
-            deck.ledger.refuse(f"{card.keyword}.IGRAV", row.place, "gravity that is removed by direction or curve", "it is kept")
+            deck.ledger.refuse(f"{card.keyword}.IGRAV", row.place,
+                               "gravity that is removed by direction or curve", "it is kept")
         if way:
             text = "output.history.accelerometers"
             deck.ledger.translated(card.keyword, row.place, text)
@@ -220,7 +232,8 @@ def add_accelerometers(deck: KeywordDeck, history: Deck) -> None:
     followed = {entry["id"]: entry["name"] for entry in history.get("nodes", [])}
     for id, nodes, no_gravity, place in deck.output.accelerometers:
         if len(set(nodes)) < 3 or not used.issuperset(nodes):
-            deck.ledger.refuse("ELEMENT_SEATBELT_ACCELEROMETER.nodes", place, "nodes without elements, or twice", "it is left out")
+            deck.ledger.refuse("ELEMENT_SEATBELT_ACCELEROMETER.nodes", place,
+                               "nodes without elements, or twice", "it is left out")
             continue
         for node in nodes:
             if node not in followed:
@@ -250,11 +263,14 @@ def finish_output(deck: KeywordDeck) -> None:
     note_files(deck, bool(pairs or deck.forces), bool(welds))
     limited = list(deck.forces)
     if "RWFORC" in found.asked:
-        limited += [{"name": f"force_{wall['name']}", "wall": wall["name"]} for wall in deck.model.deck.get("walls", [])]
+        limited += [{"name": f"force_{wall['name']}", "wall": wall["name"]}
+                    for wall in deck.model.deck.get("walls", [])]
     limited += pairs
     if len(limited) > MOST_FORCES:
-        card = next((f"DATABASE_{name}" for name in ("RCFORC", "RWFORC") if name in found.asked), "CONTACT_FORCE_TRANSDUCER")
-        deck.ledger.approximated(f"{card}.most", found.asked.get(card.removeprefix("DATABASE_"), found.place), f"the first {MOST_FORCES} of {len(limited)} forces of contact and walls")
+        card = next((f"DATABASE_{name}" for name in ("RCFORC", "RWFORC") if name in found.asked),
+                    "CONTACT_FORCE_TRANSDUCER")
+        deck.ledger.approximated(f"{card}.most", found.asked.get(card.removeprefix("DATABASE_"), found.place),
+                                 f"the first {MOST_FORCES} of {len(limited)} forces of contact and walls")
     forces = limited[:MOST_FORCES]
     forces += list_supports(deck)
     add_planes(deck)
@@ -267,31 +283,38 @@ def finish_output(deck: KeywordDeck) -> None:
 
 def list_spot_welds(deck: KeywordDeck) -> list[int]:
     """Beams of *MAT_SPOTWELD. Solids of it have no force in the history."""
-    blocks = [block for block in deck.model.blocks if deck.materials[deck.parts[block.part].material].keyword.startswith("MAT_SPOTWELD")]
+    blocks = [block for block in deck.model.blocks
+              if deck.materials[deck.parts[block.part].material].keyword.startswith("MAT_SPOTWELD")]
     if any(block.solids for block in blocks):
-        deck.ledger.ignored("DATABASE_SWFORC.solids", deck.output.asked["SWFORC"], "forces of spot welds of solids are not written")
+        deck.ledger.ignored("DATABASE_SWFORC.solids", deck.output.asked["SWFORC"],
+                            "forces of spot welds of solids are not written")
     return [id for block in blocks for id, _ in block.beams]
 
 
 def note_files(deck: KeywordDeck, has_pairs: bool, has_weld_beams: bool) -> None:
-    """What becomes of each file with columns of the history. has_pairs: forces of contact are written. has_weld_beams: spot welds are followed."""
+    """What becomes of each file with columns of the history. has_pairs: forces of contact are written.
+    has_weld_beams: spot welds are followed."""
     for name, place in deck.output.asked.items():
         sections, what = OF_SECTIONS.get(name, ((), ""))
         if name == "SWFORC" and has_weld_beams:
-            deck.ledger.translated("DATABASE_SWFORC", place, "output.history.elements: axial_force, shear_y and shear_z of each beam that is a spot weld")
+            deck.ledger.translated("DATABASE_SWFORC", place, "output.history.elements: axial_force, "
+                                                             "shear_y and shear_z of each beam that is a spot weld")
         elif sections and not any(deck.model.deck.get(section) for section in sections):
             deck.ledger.ignored(f"DATABASE_{name}", place, f"the model has no {what}, so no force is written")
         elif name == "RCFORC" and not has_pairs:
             deck.ledger.ignored(f"DATABASE_{name}", place, describe_no_pair(deck))
         else:
-            deck.ledger.translated(f"DATABASE_{name}", place, f"output.history, all at the shortest interval: {ASCII[name]}")
+            deck.ledger.translated(f"DATABASE_{name}", place,
+                                   f"output.history, all at the shortest interval: {ASCII[name]}")
 
 
 def describe_no_pair(deck: KeywordDeck) -> str:
     """Why no force of contact is written."""
     if not deck.contacts:
-        return "the model has no contact but ties, so no force of contact is written" if "contact" in deck.model.deck else "the model has no contact, so no force is written"
-    return "no force of contact is written: a surface with itself, or with everything, has no two sides (*CONTACT_FORCE_TRANSDUCER, or contact of two parts, gives a force)"
+        return ("the model has no contact but ties, so no force of contact is written" if "contact" in deck.model.deck
+                else "the model has no contact, so no force is written")
+    return ("no force of contact is written: a surface with itself, or with everything, has no two sides "
+            "(*CONTACT_FORCE_TRANSDUCER, or contact of two parts, gives a force)")
 
 
 def list_supports(deck: KeywordDeck) -> list[Deck]:
@@ -304,18 +327,22 @@ def list_supports(deck: KeywordDeck) -> list[Deck]:
             held |= nodes - rigid
             continue
         driven |= nodes - rigid
-        bodies.update(dict.fromkeys([entry["body"]] if "body" in entry else sorted({deck.bodies_of_nodes[node] for node in nodes & rigid if node in deck.bodies_of_nodes})))
+        of_nodes = {deck.bodies_of_nodes[node] for node in nodes & rigid if node in deck.bodies_of_nodes}
+        bodies.update(dict.fromkeys([entry["body"]] if "body" in entry else sorted(of_nodes)))
     forces: list[Deck] = []
     if "SPCFORC" in asked:
         if held - driven:
             is_all = not driven and not rigid
-            forces.append({"name": "supports", "support": "all" if is_all else deck.model.add_node_set("supports", held - driven)})
+            forces.append({"name": "supports",
+                           "support": "all" if is_all else deck.model.add_node_set("supports", held - driven)})
         if not held - driven or held & driven:
-            text = f"without the {len(held & driven)} held nodes that are driven in another direction: BNDOUT has these" if held - driven else "no node is held but those that are driven, or of rigid bodies"
+            text = (f"without the {len(held & driven)} held nodes that are driven in another direction: BNDOUT has "
+                    "these" if held - driven else "no node is held but those that are driven, or of rigid bodies")
             deck.ledger.ignored("DATABASE_SPCFORC.supports", asked["SPCFORC"], text)
     if "BNDOUT" in asked:
         forces += [{"name": "driven", "support": deck.model.add_node_set("driven", driven)}] if driven else []
-        forces += [{"name": f"driven_{body}", "support": name} for body in list(bodies)[:MOST_FORCES] if (name := name_body_nodes(deck, body))]
+        forces += [{"name": f"driven_{body}", "support": name}
+                   for body in list(bodies)[:MOST_FORCES] if (name := name_body_nodes(deck, body))]
         if not driven and not bodies:
             deck.ledger.ignored("DATABASE_BNDOUT.motions", asked["BNDOUT"], "no node and no rigid body is driven")
     return forces
@@ -360,9 +387,11 @@ def add_points(deck: KeywordDeck, history: Deck) -> None:
         wanted = list(dict.fromkeys(ids))
         kept = [id for id in wanted if id in known]
         if len(kept) < len(wanted):
-            deck.ledger.ignored(f"DATABASE_HISTORY.{key}", deck.output.history_place, f"{len(wanted) - len(kept)} {key} to follow that no element of the model has")
+            deck.ledger.ignored(f"DATABASE_HISTORY.{key}", deck.output.history_place,
+                                f"{len(wanted) - len(kept)} {key} to follow that no element of the model has")
         if len(kept) > MOST_POINTS:
-            deck.ledger.approximated(f"DATABASE_HISTORY.{key}", deck.output.history_place, f"the first {MOST_POINTS} of {len(kept)} {key} to follow")
+            deck.ledger.approximated(f"DATABASE_HISTORY.{key}", deck.output.history_place,
+                                     f"the first {MOST_POINTS} of {len(kept)} {key} to follow")
             kept = kept[:MOST_POINTS]
         if kept:
             history[key] = [{"name": f"{key[:-1]}_{id}", "id": id} for id in kept]

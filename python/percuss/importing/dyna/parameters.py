@@ -15,21 +15,23 @@ if TYPE_CHECKING:
     from .cards import Card
 
 NAME = re.compile(r"&([A-Za-z_][A-Za-z0-9_]*)")
-TOKEN = re.compile(r"\s*(?:(\d+\.?\d*(?:[eEdD][+-]?\d{1,4})?|\.\d+(?:[eEdD][+-]?\d{1,4})?)|&?([A-Za-z_]\w*)|(\*\*|[-+*/^(),]))")
+TOKEN = re.compile(r"\s*(?:(\d+\.?\d*(?:[eEdD][+-]?\d{1,4})?|\.\d+(?:[eEdD][+-]?\d{1,4})?)|&?([A-Za-z_]\w*)|(\*\*|"
+                   r"[-+*/^(),]))")
 OPERATION = re.compile(r"\w[-+*/(]")  # &end*0.99 in a field
 MOST_DEPTH = 60
 FUNCTIONS: dict[str, Callable[..., float | int]] = {
-    "abs": abs, "sqrt": math.sqrt, "exp": math.exp, "log": math.log, "log10": math.log10, "sin": math.sin, "cos": math.cos,
-    "tan": math.tan, "asin": math.asin, "acos": math.acos, "atan": math.atan, "sinh": math.sinh, "cosh": math.cosh,
-    "tanh": math.tanh, "int": int, "aint": lambda x: float(int(x)), "nint": lambda x: math.floor(x + 0.5),
-    "float": float, "ceil": math.ceil, "floor": math.floor, "sign": lambda a, b: math.copysign(a, b), "atan2": math.atan2,
-    "min": min, "max": max, "mod": math.fmod,
+    "abs": abs, "sqrt": math.sqrt, "exp": math.exp, "log": math.log, "log10": math.log10, "sin": math.sin,
+    "cos": math.cos, "tan": math.tan, "asin": math.asin, "acos": math.acos, "atan": math.atan, "sinh": math.sinh,
+    "cosh": math.cosh, "tanh": math.tanh, "int": int, "aint": lambda x: float(int(x)),
+    "nint": lambda x: math.floor(x + 0.5), "float": float, "ceil": math.ceil, "floor": math.floor,
+    "sign": lambda a, b: math.copysign(a, b), "atan2": math.atan2, "min": min, "max": max, "mod": math.fmod,
 }  # fmt: skip
 Value = float | int | str
 
 
 class Parameters:
-    """Values by name, in capitals. Those of _LOCAL are known in one file and those that it includes. A file also has what is done to it."""
+    """Values by name, in capitals. Those of _LOCAL are known in one file and those that it includes.
+    A file also has what is done to it."""
 
     def __init__(self, outer: "Parameters | None" = None, change: FileChange = UNCHANGED):
         self._outer = outer
@@ -110,7 +112,8 @@ class Parameters:
                     continue
                 value: Value | None = text if word[:1] in "cC" else parse_real(text)
                 if value is None:
-                    raise BadInput(card.at(line[0]), f"the value of {clip(word)} is '{clip(text)}' (a number is expected)")
+                    raise BadInput(card.at(line[0]),
+                                   f"the value of {clip(word)} is '{clip(text)}' (a number is expected)")
                 pairs.append((line[0], word, value))
         return pairs
 

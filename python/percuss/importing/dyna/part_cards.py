@@ -12,7 +12,8 @@ from .shell_sections import SHELL_LINE, divide_shells, translate_layup, translat
 
 OTHER_SECTIONS = {"SEATBELT", "SPH", "POINT", "ALE1D", "ALE2D", "FPD", "IGA"}
 READ_SECTIONS = ("SOLID", "SHELL", "DISCRETE", "BEAM", "TSHELL")
-PART_LINES = {"INERTIA": "", "REPOSITION": "CMSN MDEP MOVOPT", "CONTACT": "", "PRINT": "PRBF~output", "ATTACHMENT_NODES": "ANSID~implicit"}
+PART_LINES = {"INERTIA": "", "REPOSITION": "CMSN MDEP MOVOPT", "CONTACT": "", "PRINT": "PRBF~output",
+              "ATTACHMENT_NODES": "ANSID~implicit"}
 
 
 def read_parts(deck: KeywordDeck, card: Card) -> None:
@@ -29,7 +30,8 @@ def read_parts(deck: KeywordDeck, card: Card) -> None:
         if id < 1:
             row.fail("PID", "an id is expected")
         deck.ids.claim("parts", id, row.place)
-        part = PartCard(id, title, row.place, row.integer("SECID"), row.integer("MID"), row.integer("EOSID"), row.integer("HGID"))
+        part = PartCard(id, title, row.place, row.integer("SECID"), row.integer("MID"), row.integer("EOSID"),
+                        row.integer("HGID"))
         row.finish(deck.ledger)
         part.is_adaptive = row.number("ADPOPT") != 0
         deck.parts[id] = part
@@ -59,7 +61,8 @@ def read_section(deck: KeywordDeck, card: Card) -> None:
     """Sections by id: cards of their own. A keyword may be followed by several."""
     kind = card.keyword.removeprefix("SECTION_")
     if kind.split("_")[0] in ("SOLID", "SHELL", "DISCRETE", "BEAM") and "_" in kind:
-        deck.ledger.refuse(card.keyword, card.place, f"an option of sections: {kind.split('_', 1)[1]}", "the section is read without it")
+        deck.ledger.refuse(card.keyword, card.place, f"an option of sections: {kind.split('_', 1)[1]}",
+                           "the section is read without it")
         kind = kind.split("_")[0]
         card.keyword = f"SECTION_{kind}"
     if kind.split("_")[0] not in OTHER_SECTIONS and kind not in READ_SECTIONS:
@@ -86,7 +89,8 @@ def read_section(deck: KeywordDeck, card: Card) -> None:
             if layers.integer("ICOMP"):
                 lines += [reader.take() for _ in range(min(-(-count // 8), 100))]
         deck.ids.claim("sections", row.integer("SECID"), row.place)
-        deck.sections[row.integer("SECID")] = Card(card.keyword, row.place, card.least_width, card.parameters, lines=lines)
+        deck.sections[row.integer("SECID")] = Card(card.keyword, row.place, card.least_width, card.parameters,
+                                                   lines=lines)
 
 
 def build_blocks(deck: KeywordDeck) -> None:
@@ -110,8 +114,8 @@ def build_blocks(deck: KeywordDeck) -> None:
 
 
 def separate_ids(deck: KeywordDeck) -> None:
-    """Raises the ids of shells where solids have some of them, and of beams likewise: ids of elements are of one kind in
-    percuss."""
+    """Raises the ids of shells where solids have some of them, and of beams likewise: ids of elements are of one kind
+    in percuss."""
     separate_beams(deck)
     solids = {id for elements in deck.elements.values() for id, _ in elements.solids}
     shells = [shell for elements in deck.elements.values() for shell in elements.shells]
@@ -138,7 +142,8 @@ def separate_beams(deck: KeywordDeck) -> None:
     for beam in beams:
         beam.id += shift
     place = next(elements.place for elements in deck.elements.values() if elements.beams)
-    deck.ledger.approximated("ELEMENT_BEAM.EID", place, f"ids are raised by {shift}, since other elements have some of them too")
+    deck.ledger.approximated("ELEMENT_BEAM.EID", place,
+                             f"ids are raised by {shift}, since other elements have some of them too")
 
 
 def divide_part(deck: KeywordDeck, part: PartCard, elements: Elements, next_id: int) -> list[Block]:
@@ -146,7 +151,8 @@ def divide_part(deck: KeywordDeck, part: PartCard, elements: Elements, next_id: 
     name = deck.model.names.take(part.title or f"part_{part.id}", "part")
     if part.layup:
         if elements.solids or elements.beams:
-            raise BadInput(part.place, f"part {part.id} of *PART_COMPOSITE has elements other than shells: correct its id, or divide the part")
+            raise BadInput(part.place, f"part {part.id} of *PART_COMPOSITE has elements other than shells: correct its "
+                                       "id, or divide the part")
         found = translate_layup(deck, part, part.layup, elements.shells)
         return divide_shells(deck, part, elements.shells, found, name, next_id) if found else []
     section = deck.sections.get(part.section)
@@ -155,12 +161,14 @@ def divide_part(deck: KeywordDeck, part: PartCard, elements: Elements, next_id: 
     is_beam = section.keyword.startswith("SECTION_BEAM")
     if elements.beams:
         if elements.solids or elements.shells or not is_beam:
-            raise BadInput(part.place, f"part {part.id} has beams, but its section or other elements are of another kind: correct its SECID, or divide the part")
+            raise BadInput(part.place, f"part {part.id} has beams, but its section or other elements are of another "
+                                       "kind: correct its SECID, or divide the part")
         return divide_beams(deck, part, elements.beams, name, next_id)
     if not elements.shells:
         return [Block(part.id, part.id, name, part.place, solids=elements.solids)]
     if elements.solids or not section.keyword.startswith("SECTION_SHELL"):
-        raise BadInput(part.place, f"part {part.id} has shells, but its section or other elements are of solids: correct its SECID, or divide the part")
+        raise BadInput(part.place, f"part {part.id} has shells, but its section or other elements are of solids: "
+                                   "correct its SECID, or divide the part")
     found = translate_shell_section(deck, part, section)
     if found is None:
         return []

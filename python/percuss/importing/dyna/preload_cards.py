@@ -6,11 +6,12 @@ from ..curves import Points
 from ..fields import Row
 from ..ledger import BadInput, Place, missing
 from ..model import Block, Model, Vector
-from ..shapes import cross, dot, normalise, subtract
+from ..shapes import cross, dot, make_vector, normalise, subtract
 from .cards import Card
 from .deck import KeywordDeck
 
-RELAXED = "a preload reached in damped steps before time 0, in place of the rise of the curve; gravity acts in them, so hold what nothing supports (start.relaxation.hold)"
+RELAXED = ("a preload reached in damped steps before time 0, in place of the rise of the curve; "
+           "gravity acts in them, so hold what nothing supports (start.relaxation.hold)")
 HELD = 0.01  # of its largest value: what a curve may change by after it is reached
 
 
@@ -49,7 +50,8 @@ def read_axial_force(deck: KeywordDeck, card: Card) -> None:
     while reader.skip_blank():
         row = reader.row("BSID LCID SCALE=1 KBEND")
         if row.integer("KBEND"):
-            deck.ledger.refuse("INITIAL_AXIAL_FORCE_BEAM.KBEND", row.place, "KBEND keeps the bending stiffness", "the beams have that of their section")
+            deck.ledger.refuse("INITIAL_AXIAL_FORCE_BEAM.KBEND", row.place, "KBEND keeps the bending stiffness",
+                               "the beams have that of their section")
         deck.bolts.append(row)
 
 
@@ -61,10 +63,12 @@ def mark_bolts(deck: KeywordDeck) -> None:
         deck.used.add(("BEAM", row.integer("BSID")))
         found = [id for id in members if id in known]
         if len(found) < len(members):
-            deck.ledger.refuse("INITIAL_AXIAL_FORCE_BEAM.BSID", row.place, "beams that are not in the mesh", "they are left out")
+            deck.ledger.refuse("INITIAL_AXIAL_FORCE_BEAM.BSID", row.place,
+                               "beams that are not in the mesh", "they are left out")
         for id in found:
             if deck.bolt_of_beam.setdefault(id, index) != index:
-                deck.ledger.refuse("INITIAL_AXIAL_FORCE_BEAM.twice", row.place, f"beam {id} has two preloads", "the first counts")
+                deck.ledger.refuse("INITIAL_AXIAL_FORCE_BEAM.twice", row.place,
+                                   f"beam {id} has two preloads", "the first counts")
 
 
 def add_preloads(deck: KeywordDeck) -> None:
@@ -73,7 +77,8 @@ def add_preloads(deck: KeywordDeck) -> None:
         force = find_held_value(deck, "INITIAL_AXIAL_FORCE_BEAM", row)
         blocks = [block for block in deck.model.blocks if deck.bolt_of_block.get(block.id) == index]
         if not blocks:
-            deck.ledger.refuse("INITIAL_AXIAL_FORCE_BEAM.BSID", row.place, "beams that are not in the model", "the preload is left out")
+            deck.ledger.refuse("INITIAL_AXIAL_FORCE_BEAM.BSID", row.place, "beams that are not in the model",
+                               "the preload is left out")
         for block in blocks if force else []:
             add_preload(deck.model, block, {"force": force})
             deck.ledger.approximated("INITIAL_AXIAL_FORCE_BEAM", row.place, RELAXED)
@@ -92,7 +97,8 @@ def find_held_value(deck: KeywordDeck, card: str, row: Row) -> float:
     points = deck.material_curve(row.integer("LCID"), row.place, "time", "force" if card.endswith("BEAM") else "stress")
     value = max((y for _, y in points), key=abs)
     if not holds(points, value):
-        deck.ledger.refuse(f"{card}.LCID", row.place, "a curve that leaves its largest value", "that value is the preload, and free after time 0")
+        deck.ledger.refuse(f"{card}.LCID", row.place, "a curve that leaves its largest value",
+                           "that value is the preload, and free after time 0")
     return value * (row.or_default("SCALE", 1.0) if card.endswith("BEAM") else 1.0)
 
 
@@ -112,15 +118,15 @@ def read_plane(deck: KeywordDeck, card: Card) -> None:
     id = head_row.integer("CSID") if head_row else -len(deck.planes) - 1
     title = (head_row.text("TITLE") if head_row else "") or f"section_{abs(id)}"
     row, more = reader.row("PSID XCT YCT ZCT XCH YCH ZCH RADIUS"), reader.row("XHEV YHEV ZHEV LENL LENM ID ITYPE")
-    tail, head = tuple(row.numbers("XCT", "YCT", "ZCT")), tuple(row.numbers("XCH", "YCH", "ZCH"))
-    line = subtract(head, tail)  # type: ignore[arg-type]
+    tail, head = (make_vector(row.numbers(f"XC{end}", f"YC{end}", f"ZC{end}")) for end in "TH")
+    line = subtract(head, tail)
     if dot(line, line) <= 0:
         row.fail("XCH", "a point ahead of the first is expected: it gives the normal")
     edges = (more.number("LENL"), more.number("LENM"))
-    plane = Plane(row.integer("PSID"), tail, normalise(line), row.number("RADIUS"), edges, row.place)  # type: ignore[arg-type]
+    plane = Plane(row.integer("PSID"), tail, normalise(line), row.number("RADIUS"), edges, row.place)
     if any(edges):
-        edge = subtract(tuple(more.numbers("XHEV", "YHEV", "ZHEV")), tail)  # type: ignore[arg-type]
-        across = subtract(edge, tuple(dot(edge, plane.normal) * n for n in plane.normal))  # type: ignore[arg-type]
+        edge = subtract(make_vector(more.numbers("XHEV", "YHEV", "ZHEV")), tail)
+        across = subtract(edge, make_vector(dot(edge, plane.normal) * n for n in plane.normal))
         if dot(across, across) <= 0:
             more.fail("XHEV", "a point beside the normal is expected: it gives the first edge of the rectangle")
         plane.along = normalise(across)
@@ -137,9 +143,11 @@ def read_section_stress(deck: KeywordDeck, card: Card) -> None:
         row.skip("ISSID")
         plane = deck.planes.get(row.integer("CSID"), deck.planes.get(-row.integer("CSID")))
         if row.integer("IZSHEAR") or row.integer("ISTIFF"):
-            deck.ledger.refuse("INITIAL_STRESS_SECTION.IZSHEAR", row.place, "IZSHEAR or ISTIFF", "shear stresses stay free")
+            deck.ledger.refuse("INITIAL_STRESS_SECTION.IZSHEAR", row.place, "IZSHEAR or ISTIFF",
+                               "shear stresses stay free")
         if plane is None:
-            deck.ledger.refuse("INITIAL_STRESS_SECTION.CSID", row.place, "a section that is no *DATABASE_CROSS_SECTION_PLANE", "the preload is left out")
+            deck.ledger.refuse("INITIAL_STRESS_SECTION.CSID", row.place,
+                               "a section that is no *DATABASE_CROSS_SECTION_PLANE", "the preload is left out")
         else:
             check_normal(deck, row, plane)
             tighten_plane(deck, row, plane)
@@ -153,7 +161,8 @@ def check_normal(deck: KeywordDeck, row: Row, plane: Plane) -> None:
     if id not in deck.vectors:
         raise BadInput(row.place, missing(f"*DEFINE_VECTOR {id}"))
     if abs(dot(normalise(deck.vectors[id]), plane.normal)) < 1 - 1e-6:
-        deck.ledger.refuse("INITIAL_STRESS_SECTION.VID", row.place, "VID: a normal other than that of the plane", "the plane's own normal is used")
+        deck.ledger.refuse("INITIAL_STRESS_SECTION.VID", row.place, "VID: a normal other than that of the plane",
+                           "the plane's own normal is used")
 
 
 def tighten_plane(deck: KeywordDeck, row: Row, plane: Plane) -> None:
@@ -164,18 +173,23 @@ def tighten_plane(deck: KeywordDeck, row: Row, plane: Plane) -> None:
     deck.used.add(("PART", set_id))
     found = False
     for block in deck.model.blocks:
-        polygons = [cut_solid([deck.nodes[n] for n in corners], plane) for _, corners in block.solids] if block.part in parts else []
+        polygons = ([cut_solid([deck.nodes[n] for n in corners], plane) for _, corners in block.solids]
+                    if block.part in parts else [])
         polygons = [polygon for polygon in polygons if polygon]
         if not polygons or not stress:
             continue
         if not all(is_inside(point, plane) for polygon in polygons for point in polygon) or any(plane.edges):
-            deck.ledger.refuse("DATABASE_CROSS_SECTION_PLANE.RADIUS", plane.place, f"a preload of a plane with limits, which cuts part '{block.name}' beyond them or may do so", "it takes the whole part")
+            deck.ledger.refuse("DATABASE_CROSS_SECTION_PLANE.RADIUS", plane.place,
+                               "a preload of a plane with limits, "
+                               f"which cuts part '{block.name}' beyond them or may do so", "it takes the whole part")
         area = sum(hull_area(polygon, plane.normal) for polygon in polygons)
-        add_preload(deck.model, block, {"point": list(plane.point), "normal": list(plane.normal), "force": float(f"{stress * area:.9g}")})
+        add_preload(deck.model, block,
+                    {"point": list(plane.point), "normal": list(plane.normal), "force": float(f"{stress * area:.9g}")})
         deck.ledger.approximated("INITIAL_STRESS_SECTION", row.place, RELAXED + "; the stress times the area at time 0")
         found = True
     if not found and stress:
-        deck.ledger.refuse("INITIAL_STRESS_SECTION.PSID", row.place, "a section that cuts no solids", "the preload is left out")
+        deck.ledger.refuse("INITIAL_STRESS_SECTION.PSID", row.place, "a section that cuts no solids",
+                           "the preload is left out")
 
 
 def is_inside(point: Vector, plane: Plane) -> bool:

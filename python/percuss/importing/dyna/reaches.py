@@ -9,9 +9,9 @@ SMALLEST = 1e-3  # of a reach: what overlaps within the thickness of shells is a
 
 
 def find_reach(deck: KeywordDeck, nodes: set[int], faces: set[int], thicknesses: list[float]) -> float:
-    """Nodes are tied within 0.6 of both thicknesses or 0.05 of a diagonal of a face, whichever is larger. thicknesses: SST and MST, 0 where
-    those of the shells count; where one is negative these alone count. percuss measures from the surfaces of shells, LS-DYNA from their
-    middle. 0: the reach of percuss, which is 0.05 of an edge."""
+    """Nodes are tied within 0.6 of both thicknesses or 0.05 of a diagonal of a face, whichever is larger. thicknesses:
+    SST and MST, 0 where those of the shells count; where one is negative these alone count. percuss measures from the
+    surfaces of shells, LS-DYNA from their middle. 0: the reach of percuss, which is 0.05 of an edge."""
     own = [find_thickness(deck, side) for side in (nodes, faces)]
     reach = SHARE_OF_THICKNESS * sum(abs(given) or thickness for given, thickness in zip(thicknesses, own))
     if min(thicknesses) < 0:

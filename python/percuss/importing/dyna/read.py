@@ -90,7 +90,8 @@ def read_detonation(deck: KeywordDeck, card: Card) -> None:
         row = reader.row("PID X Y Z LT MMGSET")
         part, point = row.integer("PID"), tuple(row.numbers("X", "Y", "Z"))
         if part < 0:
-            deck.ledger.refuse("INITIAL_DETONATION.PID", row.place, f"PID is {part}, a boundary of acoustic elements", "it is left out")
+            deck.ledger.refuse("INITIAL_DETONATION.PID", row.place,
+                               f"PID is {part}, a boundary of acoustic elements", "it is left out")
             continue
         row.finish(deck.ledger, "it detonates at time 0")
         deck.detonations.append((part, point, row.place))  # type: ignore[arg-type]
@@ -99,52 +100,69 @@ def read_detonation(deck: KeywordDeck, card: Card) -> None:
 
 # Read at once. forms.py has what may follow a name.
 DEFINITIONS: dict[str, Handler] = {
-    "TITLE": read_title, "NODE": read_nodes, "NODE_TRANSFORM": read_node_transform, "NODE_MERGE_SET": read_merged_sets, "NODE_MERGE_TOLERANCE": read_merge_tolerance, "ELEMENT_SOLID": read_solids, "ELEMENT_TSHELL": read_thick_shells, "ELEMENT_SHELL": read_shells, "ELEMENT_MASS": read_masses,
-    "ELEMENT_DISCRETE": read_springs, "ELEMENT_BEAM": read_beams, "INTEGRATION_BEAM": read_rules, "ELEMENT_SEATBELT_ACCELEROMETER": read_accelerometers, "ELEMENT_": read_other_elements, "PART": read_parts, "PART_COMPOSITE": read_composite, "SECTION_": read_section, "HOURGLASS": read_hourglass, "MAT_": read_material,
-    "EOS_": read_state, **{name: read_set for name in OPTIONS if name.startswith("SET_")}, "DEFINE_CURVE": read_curve, "DEFINE_CURVE_SMOOTH": read_smooth_curve,
-    "DEFINE_CURVE_": read_other_curve, "DEFINE_FUNCTION": read_other_curve, "DEFINE_TABLE": read_table, "DEFINE_BOX": read_box,
-    "DEFINE_COORDINATE_": read_system, "DEFINE_VECTOR": read_vector, "CONTROL_TERMINATION": read_termination, "CONTROL_CONTACT": read_defaults,
-    "CONTROL_SHELL": read_shell_control, "CONTROL_SOLID": read_solid_control, "CONTROL_RIGID": read_rigid_control, "CONTROL_SOLUTION": read_solution,
+    "TITLE": read_title, "NODE": read_nodes, "NODE_TRANSFORM": read_node_transform, "NODE_MERGE_SET": read_merged_sets,
+    "NODE_MERGE_TOLERANCE": read_merge_tolerance, "ELEMENT_SOLID": read_solids, "ELEMENT_TSHELL": read_thick_shells,
+    "ELEMENT_SHELL": read_shells, "ELEMENT_MASS": read_masses, "ELEMENT_DISCRETE": read_springs,
+    "ELEMENT_BEAM": read_beams, "INTEGRATION_BEAM": read_rules, "ELEMENT_SEATBELT_ACCELEROMETER": read_accelerometers,
+    "ELEMENT_": read_other_elements, "PART": read_parts, "PART_COMPOSITE": read_composite, "SECTION_": read_section,
+    "HOURGLASS": read_hourglass, "MAT_": read_material, "EOS_": read_state,
+    **{name: read_set for name in OPTIONS if name.startswith("SET_")}, "DEFINE_CURVE": read_curve,
+    "DEFINE_CURVE_SMOOTH": read_smooth_curve, "DEFINE_CURVE_": read_other_curve, "DEFINE_FUNCTION": read_other_curve,
+    "DEFINE_TABLE": read_table, "DEFINE_BOX": read_box, "DEFINE_COORDINATE_": read_system, "DEFINE_VECTOR": read_vector,
+    "CONTROL_TERMINATION": read_termination, "CONTROL_CONTACT": read_defaults, "CONTROL_SHELL": read_shell_control,
+    "CONTROL_SOLID": read_solid_control, "CONTROL_RIGID": read_rigid_control, "CONTROL_SOLUTION": read_solution,
     "CONTROL_HOURGLASS": read_general_hourglass, "BOUNDARY_PRESCRIBED_MOTION_RIGID": rigid.read_rigid_motion,
-    "DEFORMABLE_TO_RIGID": rigid.read_switched, "CONSTRAINED_EXTRA_NODES_": rigid.read_extra_nodes, "CONSTRAINED_RIGID_BODIES": rigid.read_merged,
-    "CONSTRAINED_NODAL_RIGID_BODY": read_nodal_body, "CONSTRAINED_JOINT_": read_joints, "CONSTRAINED_JOINT_STIFFNESS_GENERALIZED": read_turn_springs,
-    "CONSTRAINED_NODE_SET": read_node_sets, "CONSTRAINED_LINEAR": read_node_sets, "CONSTRAINED_LINEAR_GLOBAL": read_node_sets, "CONSTRAINED_SPOTWELD": read_welds, "CONSTRAINED_RIVET": read_welds, "CONSTRAINED_GENERALIZED_WELD": read_welds, "INITIAL_DETONATION": read_detonation,
-    "SENSOR_": read_sensor, "INITIAL_AXIAL_FORCE_BEAM": read_axial_force, "DATABASE_CROSS_SECTION_PLANE": read_plane,
+    "DEFORMABLE_TO_RIGID": rigid.read_switched, "CONSTRAINED_EXTRA_NODES_": rigid.read_extra_nodes,
+    "CONSTRAINED_RIGID_BODIES": rigid.read_merged, "CONSTRAINED_NODAL_RIGID_BODY": read_nodal_body,
+    "CONSTRAINED_JOINT_": read_joints, "CONSTRAINED_JOINT_STIFFNESS_GENERALIZED": read_turn_springs,
+    "CONSTRAINED_NODE_SET": read_node_sets, "CONSTRAINED_LINEAR": read_node_sets,
+    "CONSTRAINED_LINEAR_GLOBAL": read_node_sets, "CONSTRAINED_SPOTWELD": read_welds, "CONSTRAINED_RIVET": read_welds,
+    "CONSTRAINED_GENERALIZED_WELD": read_welds, "INITIAL_DETONATION": read_detonation, "SENSOR_": read_sensor,
+    "INITIAL_AXIAL_FORCE_BEAM": read_axial_force, "DATABASE_CROSS_SECTION_PLANE": read_plane,
 }  # fmt: skip
 # Applied in this order, once all definitions and the parts are known.
 ACTIONS: dict[str, Handler] = {
-    "CONTROL_TIMESTEP": apply_timestep, "CONTROL_BULK_VISCOSITY": apply_viscosity, "CONTROL_CHECK_SHELL": check_shells, "CONTROL_DYNAMIC_RELAXATION": apply_relaxation, "CONTROL_DAMPING": apply_relaxation,
-    "CONTROL_": read_other_control,
-    "CONSTRAINED_BEAM_IN_SOLID": read_beams_in_solids, "CONSTRAINED_LAGRANGE_IN_SOLID": read_bars_in_solids, "CONSTRAINED_GLOBAL": conditions.read_plane, "BOUNDARY_SPC": conditions.read_spc, "BOUNDARY_SPC_SYMMETRY_PLANE": conditions.read_symmetry_plane,
-    "INITIAL_VELOCITY": start.read_initial_velocity, "INITIAL_VELOCITY_GENERATION": start.read_generation,
-    "INITIAL_VELOCITY_RIGID_BODY": start.read_rigid_velocity, "INITIAL_VELOCITY_NODE": start.read_node_velocities,
-    "BOUNDARY_PRESCRIBED_MOTION": motions.read_motion,
-    "INITIAL_STRESS_": read_stresses, "INITIAL_STRESS_SECTION": read_section_stress, "INITIAL_TEMPERATURE_": start.read_temperature, "LOAD_BLAST": read_blast, "LOAD_BODY_": read_body_load, "LOAD_NODE_": read_node_load, "LOAD_SEGMENT": read_segment_load, "LOAD_SHELL_": read_segment_load,
-    "LOAD_GRAVITY_PART": read_part_gravity, "LOAD_BLAST_SEGMENT": read_blast_segments, "LOAD_RIGID_BODY": read_body_force,
-    "DAMPING_": read_damping, "RIGIDWALL_": read_wall, "CONTACT_": read_contact, "DATABASE_": read_database,
-    "TERMINATION_NODE": read_node_limit, "TERMINATION_BODY": read_body_limit, "TERMINATION_SENSOR": read_sensor_end, "TERMINATION_": read_other_end,
+    "CONTROL_TIMESTEP": apply_timestep, "CONTROL_BULK_VISCOSITY": apply_viscosity, "CONTROL_CHECK_SHELL": check_shells,
+    "CONTROL_DYNAMIC_RELAXATION": apply_relaxation, "CONTROL_DAMPING": apply_relaxation, "CONTROL_": read_other_control,
+    "CONSTRAINED_BEAM_IN_SOLID": read_beams_in_solids, "CONSTRAINED_LAGRANGE_IN_SOLID": read_bars_in_solids,
+    "CONSTRAINED_GLOBAL": conditions.read_plane, "BOUNDARY_SPC": conditions.read_spc,
+    "BOUNDARY_SPC_SYMMETRY_PLANE": conditions.read_symmetry_plane, "INITIAL_VELOCITY": start.read_initial_velocity,
+    "INITIAL_VELOCITY_GENERATION": start.read_generation, "INITIAL_VELOCITY_RIGID_BODY": start.read_rigid_velocity,
+    "INITIAL_VELOCITY_NODE": start.read_node_velocities, "BOUNDARY_PRESCRIBED_MOTION": motions.read_motion,
+    "INITIAL_STRESS_": read_stresses, "INITIAL_STRESS_SECTION": read_section_stress, "INITIAL_TEMPERATURE_":
+    start.read_temperature, "LOAD_BLAST": read_blast, "LOAD_BODY_": read_body_load, "LOAD_NODE_": read_node_load,
+    "LOAD_SEGMENT": read_segment_load, "LOAD_SHELL_": read_segment_load, "LOAD_GRAVITY_PART": read_part_gravity,
+    "LOAD_BLAST_SEGMENT": read_blast_segments, "LOAD_RIGID_BODY": read_body_force, "DAMPING_": read_damping,
+    "RIGIDWALL_": read_wall, "CONTACT_": read_contact, "DATABASE_": read_database, "TERMINATION_NODE": read_node_limit,
+    "TERMINATION_BODY": read_body_limit, "TERMINATION_SENSOR": read_sensor_end, "TERMINATION_": read_other_end,
 }  # fmt: skip
-# Of several of these the last one counts, as in LS-DYNA. They wait for it: DEFINITIONS of them are read behind all others.
+# Of several of these the last one counts, as in LS-DYNA.
+# They wait for it: DEFINITIONS of them are read behind all others.
 OF_LAST = (
-    "CONTROL_TERMINATION", "CONTROL_CONTACT", "CONTROL_SHELL", "CONTROL_SOLID", "CONTROL_RIGID", "CONTROL_SOLUTION", "CONTROL_HOURGLASS", "CONTROL_TIMESTEP", "CONTROL_BULK_VISCOSITY",
-    "CONTROL_DYNAMIC_RELAXATION", "CONTROL_DAMPING", "DATABASE_BINARY_D3PLOT", *(f"DATABASE_{name}" for name in ASCII),
+    "CONTROL_TERMINATION", "CONTROL_CONTACT", "CONTROL_SHELL", "CONTROL_SOLID", "CONTROL_RIGID", "CONTROL_SOLUTION",
+    "CONTROL_HOURGLASS", "CONTROL_TIMESTEP", "CONTROL_BULK_VISCOSITY", "CONTROL_DYNAMIC_RELAXATION", "CONTROL_DAMPING",
+    "DATABASE_BINARY_D3PLOT", *(f"DATABASE_{name}" for name in ASCII),
 )  # fmt: skip
-SAME_CARD = {"CONTROL_DAMPING": "CONTROL_DYNAMIC_RELAXATION", "CONTROL_HOURGLASS_936": "CONTROL_HOURGLASS"}  # names of one card
+# names of one card
+SAME_CARD = {"CONTROL_DAMPING": "CONTROL_DYNAMIC_RELAXATION", "CONTROL_HOURGLASS_936": "CONTROL_HOURGLASS"}
 OTHER_ELEMENTS = tuple(f"ELEMENT_{kind}" for kind in OTHERS)
 # Harmless whatever they say.
 LISTENED = "what refers to it is refused by its own name"
 IGNORED = {
-    "COMMENT": "a comment", "CONTROL_STRUCTURED": "output", "CONTROL_STRUCTURED_TERM": "output", "CONTROL_NONLOCAL": "storage",
-    "INTERFACE_COMPONENT_FILE": "output", "INTERFACE_COMPONENT_NODE": "output", "INTERFACE_COMPONENT_SEGMENT": "output",
-    "INTERFACE_SPRINGBACK_LSDYNA": "output at the end of the run", "INTERFACE_SPRINGBACK_NASTRAN": "output at the end of the run",
-    "INTERFACE_SPRINGBACK_NIKE3D": "output at the end of the run", "INTERFACE_SPRINGBACK_EXCLUDE": "output at the end of the run",
+    "COMMENT": "a comment", "CONTROL_STRUCTURED": "output", "CONTROL_STRUCTURED_TERM": "output",
+    "CONTROL_NONLOCAL": "storage", "INTERFACE_COMPONENT_FILE": "output", "INTERFACE_COMPONENT_NODE": "output",
+    "INTERFACE_COMPONENT_SEGMENT": "output", "INTERFACE_SPRINGBACK_LSDYNA": "output at the end of the run",
+    "INTERFACE_SPRINGBACK_NASTRAN": "output at the end of the run", "INTERFACE_SPRINGBACK_NIKE3D":
+    "output at the end of the run", "INTERFACE_SPRINGBACK_EXCLUDE": "output at the end of the run",
     "DEFINE_PLANE": LISTENED, "DEFINE_REGION": LISTENED, "DEFINE_SD_ORIENTATION": LISTENED, "DEFINE_FRICTION": LISTENED,
-    "DEFINE_STOCHASTIC_VARIATION": LISTENED, "DEFINE_FILTER": LISTENED, "DEFINE_CONNECTION_PROPERTIES": LISTENED, "DEFINE_SPOTWELD_FAILURE": LISTENED,
-    "DEFINE_SPOTWELD_RUPTURE_STRESS": LISTENED, "DEFINE_CONTACT_VOLUME": LISTENED, "DEFINE_GROUND_MOTION": LISTENED,
-    "RIGIDWALL_FORCE_TRANSDUCER": "output; percuss writes the force of each wall",
-    **{f"INITIAL_STRAIN_{kind}": "strains of an earlier stage, which are written and change no stress" for kind in ("SHELL", "SHELL_SET", "SOLID", "SOLID_SET", "TSHELL")},
+    "DEFINE_STOCHASTIC_VARIATION": LISTENED, "DEFINE_FILTER": LISTENED, "DEFINE_CONNECTION_PROPERTIES": LISTENED,
+    "DEFINE_SPOTWELD_FAILURE": LISTENED, "DEFINE_SPOTWELD_RUPTURE_STRESS": LISTENED, "DEFINE_CONTACT_VOLUME": LISTENED,
+    "DEFINE_GROUND_MOTION": LISTENED, "RIGIDWALL_FORCE_TRANSDUCER": "output; percuss writes the force of each wall",
+    **{f"INITIAL_STRAIN_{kind}": "strains of an earlier stage, which are written and change no stress"
+       for kind in ("SHELL", "SHELL_SET", "SOLID", "SOLID_SET", "TSHELL")},
 }  # fmt: skip
-# Of what they change nothing is left where they are left out: they are refused by their own names, and not as another material.
+# Of what they change nothing is left where they are left out: they are refused by their own names,
+# and not as another material.
 MODIFIERS = ("MAT_ADD_", "MAT_NONLOCAL")
 MODIFIERS_READ = ("MAT_ADD_EROSION", "MAT_ADD_DAMAGE_GISSMO", "MAT_ADD_DAMAGE_DIEM")
 READ_LATER = ("MAT_ADD_EROSION", "MAT_ADD_DAMAGE_GISSMO", "MAT_ADD_DAMAGE_DIEM")  # when more is known
@@ -166,7 +184,8 @@ class Waiting:
         keyword = SAME_CARD.get(card.keyword, card.keyword)
         if keyword in self.last:
             first = self.last.pop(keyword)
-            deck.ledger.ignored(first.keyword, first.place, f"of several of these cards the last one counts, which is at {card.place}")
+            deck.ledger.ignored(first.keyword, first.place,
+                                f"of several of these cards the last one counts, which is at {card.place}")
         self.last[keyword] = card
 
     def take_last(self, deck: KeywordDeck) -> None:
@@ -184,7 +203,8 @@ class Waiting:
 
 def is_unknown(name: str | None, keyword: str) -> bool:
     """Whether a keyword begins as known ones do, and is none of them."""
-    known = {"CONTROL_": is_known_control, "ELEMENT_": lambda word: word.startswith(OTHER_ELEMENTS), "DATABASE_": DATABASES.__contains__}
+    known = {"CONTROL_": is_known_control, "ELEMENT_": lambda word: word.startswith(OTHER_ELEMENTS),
+             "DATABASE_": DATABASES.__contains__}
     return name in known and not known[name](keyword)
 
 
@@ -217,7 +237,9 @@ def sort_card(deck: KeywordDeck, card: Card, waiting: Waiting) -> None:
 def refuse_unknown(deck: KeywordDeck, card: Card) -> None:
     """A card that is not known, or misspelt."""
     deck.unknown.append((card.keyword, card.place))
-    deck.ledger.refuse(card.keyword or "(blank)", card.place, f"an unknown card{suggest(card.keyword, [*list_keywords(), *sorted(DATABASES)])}", "it is left out")
+    deck.ledger.refuse(card.keyword or "(blank)", card.place,
+                       f"an unknown card{suggest(card.keyword, [*list_keywords(), *sorted(DATABASES)])}",
+                       "it is left out")
 
 
 def apply(deck: KeywordDeck, card: Card, handler: Handler) -> None:
@@ -232,7 +254,8 @@ def apply(deck: KeywordDeck, card: Card, handler: Handler) -> None:
         return
     surplus = card.find_surplus() if card.keyword not in READ_LATER else 0
     if surplus and not deck.ledger.refuses_in(card.place, surplus):
-        deck.ledger.refuse(f"{card.keyword}.lines", card.at(surplus), "a line that the card does not have", "it is left out")
+        deck.ledger.refuse(f"{card.keyword}.lines", card.at(surplus),
+                           "a line that the card does not have", "it is left out")
     deck.model.origins.note(deck.model, card.keyword, card.place)
 
 
@@ -247,14 +270,18 @@ def read_keyword_deck(path: str, ledger: Ledger) -> Model:
     waiting.take_last(deck)
     ledger.stop_at_faults()
     if not deck.elements:
-        raise BadInput(path, f"the deck has no elements that percuss reads: {find_misspelt(deck, 'ELEMENT_SOLID', 'ELEMENT_SHELL') or 'include the mesh file'}", follows=True)
+        raise BadInput(path, "the deck has no elements that percuss reads: "
+                             f"{find_misspelt(deck, 'ELEMENT_SOLID', 'ELEMENT_SHELL') or 'include the mesh file'}",
+                       follows=True)
     if deck.end_time <= 0:
-        raise BadInput(path, f"there is no *CONTROL_TERMINATION with a time (the run would have no end): {find_misspelt(deck, 'CONTROL_TERMINATION') or 'add one'}")
+        raise BadInput(path, "there is no *CONTROL_TERMINATION with a time (the run would have no end): "
+                             f"{find_misspelt(deck, 'CONTROL_TERMINATION') or 'add one'}")
     try:
         build(deck)
     except ArithmeticError as error:
         raise BadInput(path, f"the numbers of a part, its section or its material are out of range ({error})") from None
-    ledger.lost_parts = not {id for id, found in deck.elements.items() if found.solids or found.shells or found.beams or found.others} <= {b.part for b in deck.model.blocks}
+    ledger.lost_parts = not {id for id, found in deck.elements.items() if found.solids or found.shells or found.beams
+                             or found.others} <= {b.part for b in deck.model.blocks}
     for _, card, handler in sorted(waiting.actions, key=lambda item: item[0]):
         apply(deck, card, handler)
     ledger.stop_at_faults()
@@ -338,10 +365,13 @@ def keep_sets(deck: KeywordDeck) -> None:
 # What needs all cards, with the cards that it is of.
 LAST: tuple[tuple[Callable[[KeywordDeck], None], str], ...] = (
     (add_preloads, "INITIAL_"), (apply_part_gravity, "LOAD_GRAVITY_PART"),
-    (rigid.apply_rigid_motions, "BOUNDARY_PRESCRIBED_MOTION_RIGID"), (rigid.apply_extra_nodes, "CONSTRAINED_EXTRA_NODES"),
+    (rigid.apply_rigid_motions, "BOUNDARY_PRESCRIBED_MOTION_RIGID"),
+    (rigid.apply_extra_nodes, "CONSTRAINED_EXTRA_NODES"),
     (balance_bodies, "INITIAL_VELOCITY"), (apply_body_holds, "BOUNDARY_"),
-    (add_joints, "CONSTRAINED_JOINT"), (add_turn_springs, "CONSTRAINED_JOINT_STIFFNESS_GENERALIZED"), (start.add_masses, "ELEMENT_MASS"), (add_skin_masses, "MAT_NULL"), (add_masses_of_sets, "ELEMENT_MASS"),
+    (add_joints, "CONSTRAINED_JOINT"), (add_turn_springs, "CONSTRAINED_JOINT_STIFFNESS_GENERALIZED"),
+    (start.add_masses, "ELEMENT_MASS"), (add_skin_masses, "MAT_NULL"), (add_masses_of_sets, "ELEMENT_MASS"),
     (add_springs, "ELEMENT_DISCRETE"), (add_welds, "CONSTRAINED_"), (add_node_sets, "CONSTRAINED_"),
-    (finish_contacts, "CONTACT_"), (finish_output, "DATABASE_"), (finish_sensors, "SENSOR_"), (check_relaxation, "DEFINE_CURVE"),
+    (finish_contacts, "CONTACT_"), (finish_output, "DATABASE_"), (finish_sensors, "SENSOR_"),
+    (check_relaxation, "DEFINE_CURVE"),
     (keep_sets, "SET_"), (note_unused, "DEFINE_CURVE"),
 )  # fmt: skip

@@ -39,8 +39,10 @@ def read_inertia_lines(deck: KeywordDeck, reader: Lines, card: str) -> Inertia:
     if node := mass.integer("NODEID"):
         deck.center_rows.append((node, mass, center))
     keys = {"mass": mass.positive("TM"), "center": center,
-            "inertia": [tensor[0][0], tensor[1][1], tensor[2][2], tensor[0][1], tensor[1][2], tensor[0][2]]}  # fmt: skip
-    return Inertia(keys, {"velocity": motion.numbers("VTX", "VTY", "VTZ"), "angular_velocity": motion.numbers("VRX", "VRY", "VRZ")})
+            "inertia": [tensor[0][0], tensor[1][1], tensor[2][2], tensor[0][1], tensor[1][2],
+                        tensor[0][2]]}  # fmt: skip
+    return Inertia(keys, {"velocity": motion.numbers("VTX", "VTY", "VTZ"),
+                          "angular_velocity": motion.numbers("VRX", "VRY", "VRZ")})
 
 
 def find_centers(deck: KeywordDeck) -> None:
@@ -73,7 +75,8 @@ def make_axes(x: Vector, plane: Vector) -> tuple[Vector, Vector, Vector] | None:
 
 def turn_tensor(tensor: tuple[Vector, ...], axes: tuple[Vector, Vector, Vector]) -> tuple[Vector, ...]:
     """A tensor of local axes in those of space."""
-    rows = [[sum(axes[a][i] * tensor[a][b] * axes[b][j] for a in range(3) for b in range(3)) for j in range(3)] for i in range(3)]
+    rows = [[sum(axes[a][i] * tensor[a][b] * axes[b][j] for a in range(3) for b in range(3)) for j in range(3)]
+            for i in range(3)]
     return tuple((row[0], row[1], row[2]) for row in rows)
 
 
@@ -87,7 +90,8 @@ def merge_part(deck: KeywordDeck, part: int, lead: int, place: Place) -> None:
     """A part becomes one body with another."""
     other, first = deck.merged.setdefault(part, (lead, place))
     if other != lead:
-        raise BadInput(place, f"part {part} is merged with part {lead} and with part {other} (at {first}; it can follow one): remove one, or merge these parts")
+        raise BadInput(place, f"part {part} is merged with part {lead} and with part {other} (at {first}; "
+                              "it can follow one): remove one, or merge these parts")
 
 
 def read_merged(deck: KeywordDeck, card: Card) -> None:
@@ -149,7 +153,9 @@ def mark_rigid_parts(deck: KeywordDeck) -> None:
     for lead, place in deck.updated_bodies.items():
         if lead in deck.parts and deck.parts[lead].inertia:
             deck.ledger.refuse(
-                "CONSTRAINED_RIGID_BODIES.IFLAG", place, "IFLAG is 1: the masses of merged parts beside a *PART_INERTIA", "those of *PART_INERTIA are of the whole body"
+                "CONSTRAINED_RIGID_BODIES.IFLAG", place,
+                "IFLAG is 1: the masses of merged parts beside a *PART_INERTIA",
+                "those of *PART_INERTIA are of the whole body"
             )
 
 
@@ -157,7 +163,8 @@ def mark_body(deck: KeywordDeck, lead: int, members: list[int]) -> None:
     for id in members:
         if id != lead and deck.parts[id].inertia:
             deck.ledger.refuse(
-                "PART_INERTIA", deck.parts[id].place, "mass and inertia of a part of another body", "those of the body count"
+                "PART_INERTIA", deck.parts[id].place, "mass and inertia of a part of another body",
+                "those of the body count"
             )
     blocks = [b for id in sorted(members, key=lambda id: id != lead) for b in deck.model.blocks if b.part == id]
     moved = {DIRECTIONS.get(row.integer("DOF")) for row in deck.rigid_motions.get(lead, [])}
@@ -180,7 +187,8 @@ def mark_body(deck: KeywordDeck, lead: int, members: list[int]) -> None:
 
 
 def start_body(deck: KeywordDeck, body: str, motion: Deck) -> None:
-    """The velocity that a card with the inertia of a body gives to it. It counts, also where it is 0, unless IRIGID of others says no."""
+    """The velocity that a card with the inertia of a body gives to it.
+    It counts, also where it is 0, unless IRIGID of others says no."""
     entry: Deck = {"body": body, "velocity": motion["velocity"]}
     if any(motion["angular_velocity"]):
         entry["angular_velocity"] = motion["angular_velocity"]
@@ -200,7 +208,9 @@ def read_rigid_motion(deck: KeywordDeck, card: Card) -> None:
         row = reader.row(LAYOUT)
         if abs(row.integer("DOF")) in (9, 10, 11) or row.integer("VAD") == 4:
             reader.row(MORE)
-            deck.ledger.refuse(f"{CARD}.DOF", row.place, f"DOF {row.integer('DOF')} with VAD {row.integer('VAD')}, of a rigid part", "it is left out")
+            deck.ledger.refuse(f"{CARD}.DOF", row.place,
+                               f"DOF {row.integer('DOF')} with VAD {row.integer('VAD')}, of a rigid part",
+                               "it is left out")
             continue
         deck.rigid_motions.setdefault(row.integer("ID"), []).append(row)
 
@@ -210,7 +220,8 @@ def apply_rigid_motions(deck: KeywordDeck) -> None:
     for id, rows in deck.rigid_motions.items():
         body = find_body_name(deck, id, rows[0].place)
         if not body:
-            deck.ledger.refuse(CARD, rows[0].place, f"the motion of part {id}, which is no rigid body with elements", "it is left out")
+            deck.ledger.refuse(CARD, rows[0].place,
+                               f"the motion of part {id}, which is no rigid body with elements", "it is left out")
             continue
         for row in rows:
             for direction, motion in list_motions(deck, row, find_body_start(deck, body)):
@@ -250,7 +261,8 @@ def join_extra_nodes(deck: KeywordDeck, id: int, nodes: list[int], card: str, en
     lead = find_lead(deck, id)
     body = deck.body_names.get(lead) if id in deck.rigid else None
     if not body:
-        deck.ledger.refuse(card, entry.place, f"nodes on part {id}, which is no rigid body with elements", "they are free")
+        deck.ledger.refuse(card, entry.place,
+                           f"nodes on part {id}, which is no rigid body with elements", "they are free")
         return
     own = deck.rigid_nodes()
     name = deck.make_node_set(f"extra_{id}", [node for node in nodes if node not in own], entry.place)
@@ -259,7 +271,8 @@ def join_extra_nodes(deck: KeywordDeck, id: int, nodes: list[int], card: str, en
         if deck.parts[lead].inertia and not entry.adds_mass:
             keys["node_masses"] = "ignore"  # those of *PART_INERTIA include them
         deck.model.deck.setdefault("rigid_sets", {})[name] = keys
-    deck.ledger.translated(card, entry.place, "rigid_sets: nodes of the body" if name else "nodes of the body, without elements")
+    deck.ledger.translated(card, entry.place,
+                           "rigid_sets: nodes of the body" if name else "nodes of the body, without elements")
 
 
 def move_extra_nodes(deck: KeywordDeck, id: int, nodes: list[int], place: Place) -> None:

@@ -3,13 +3,14 @@
 from ..fields import Row, clip, parse_integer
 from ..ledger import BadInput, Ledger
 from ..model import Vector
-from ..shapes import cross, normalise, subtract
+from ..shapes import cross, make_vector, normalise, subtract
 from .cards import Card, Lines, read_ids
 from .deck import SPACE, Box, KeywordDeck, SetCard
 
 KINDS = ("NODE", "PART", "SEGMENT", "SHELL", "SOLID", "BEAM", "DISCRETE", "TSHELL", "BOX")
 
-FIELDS = {"NODE": "NID", "PART": "PID", "SHELL": "EID", "SOLID": "EID", "BEAM": "EID", "SEGMENT": "NID"}  # names of fields with their ids
+# names of fields with their ids
+FIELDS = {"NODE": "NID", "PART": "PID", "SHELL": "EID", "SOLID": "EID", "BEAM": "EID", "SEGMENT": "NID"}
 MOST_STEPS = 1_000_000  # ids of a line
 
 
@@ -18,7 +19,8 @@ def read_set(deck: KeywordDeck, card: Card) -> None:
     kind, *options = card.keyword.removeprefix("SET_").split("_")
     form = [word for word in options if word not in ("LIST", "COLLECT")]
     if kind not in KINDS or kind in ("DISCRETE", "TSHELL", "BOX"):
-        deck.ledger.ignored(card.keyword, card.place, "a set of what percuss does not have; a card that uses it is refused")
+        deck.ledger.ignored(card.keyword, card.place,
+                            "a set of what percuss does not have; a card that uses it is refused")
         return
     reader = card.reader()
     title = reader.text() if card.has_title else ""
@@ -50,11 +52,13 @@ def read_members(deck: KeywordDeck, card: Card, reader: Lines, found: SetCard, f
         found.sets += read_ids(reader, field="SID")
     elif form == ["COLUMN"]:
         while reader.skip_blank():
-            found.ids.append(reader.row(f"{FIELDS[found.kind]} A1~attribute A2~attribute A3~attribute A4~attribute").integer(FIELDS[found.kind]))
+            found.ids.append(reader.row(f"{FIELDS[found.kind]} A1~attribute A2~attribute A3~attribute A4~attribute")
+                             .integer(FIELDS[found.kind]))
     elif form == ["GENERAL"]:
         read_general(deck.ledger, card, reader, found)
     else:
-        raise BadInput(card.place, f"*{card.keyword} is not read (LIST, GENERATE, GENERATE_INCREMENT, GENERAL, ADD and COLUMN are)")
+        raise BadInput(card.place,
+                       f"*{card.keyword} is not read (LIST, GENERATE, GENERATE_INCREMENT, GENERAL, ADD and COLUMN are)")
 
 
 def read_steps(card: Card, reader: Lines, found: SetCard) -> None:
@@ -86,7 +90,8 @@ def read_general(ledger: Ledger, card: Card, reader: Lines, found: SetCard) -> N
         texts = card.split(line, (10,) * 8)
         values, option = [parse_integer(text) for text in texts[1:8] if text], texts[0].upper()
         if option not in known and option.removeprefix("D") not in known - {"ALL"}:
-            ledger.refuse(f"{card.keyword}.{clip(option)}", card.at(line[0]), f"the option {clip(option)}", "its line is left out")
+            ledger.refuse(f"{card.keyword}.{clip(option)}", card.at(line[0]),
+                          f"the option {clip(option)}", "its line is left out")
         elif None in values:
             raise BadInput(card.at(line[0]), f"an id of *{card.keyword} is not a whole number: correct it")
         elif found.kind == "SEGMENT" and option == "SEG":
@@ -94,7 +99,8 @@ def read_general(ledger: Ledger, card: Card, reader: Lines, found: SetCard) -> N
             found.segments.append(tuple(dict.fromkeys(v + shift for v in values[:4] if v)))
         else:
             kind = option.removeprefix("D")
-            shift = card.change.shift_of(card.keyword, {"PART": "PID", "BOX": "BOXID", "SHELL": "EID", "SEG": "NID"}.get(kind, FIELDS[found.kind]))
+            shift = card.change.shift_of(card.keyword, {"PART": "PID", "BOX": "BOXID", "SHELL": "EID",
+                                                        "SEG": "NID"}.get(kind, FIELDS[found.kind]))
             found.options.append((option, [v + shift for v in values if v]))
 
 
@@ -107,7 +113,8 @@ def resolve_segments(deck: KeywordDeck) -> None:
             elif option.endswith("SHELL"):
                 more = [shell.corners for part in deck.elements.values() for shell in part.shells if shell.id in values]
             else:
-                more = [face for part in (values if option != "ALL" else deck.elements) for face in deck.faces_of_part(part)]
+                more = [face for part in (values if option != "ALL" else deck.elements)
+                        for face in deck.faces_of_part(part)]
             gone = {frozenset(face) for face in more}
             if option.startswith("D"):
                 found.segments = [face for face in found.segments if frozenset(face) not in gone]
@@ -127,8 +134,8 @@ def read_box(deck: KeywordDeck, card: Card) -> None:
         limits, axes, origin = row.numbers("XMN", "XMX", "YMN", "YMX", "ZMN", "ZMX"), SPACE, (0.0, 0.0, 0.0)
         if card.keyword.endswith("LOCAL"):
             local, center = reader.row("XX YX ZX XV YV ZV"), reader.row("CX CY CZ")
-            axes = make_axes(local, tuple(local.numbers("XX", "YX", "ZX")), tuple(local.numbers("XV", "YV", "ZV")))  # type: ignore[arg-type]
-            origin = tuple(center.numbers("CX", "CY", "CZ"))  # type: ignore[assignment]
+            on_x, in_plane = (make_vector(local.numbers(*names)) for names in (("XX", "YX", "ZX"), ("XV", "YV", "ZV")))
+            axes, origin = make_axes(local, on_x, in_plane), make_vector(center.numbers("CX", "CY", "CZ"))
         deck.ids.claim("*DEFINE_BOX", row.integer("BOXID"), row.place)
         deck.boxes[row.integer("BOXID")] = Box(limits, axes, origin)
         deck.ledger.translated(card.keyword, card.place, "limits what uses it")
@@ -191,7 +198,8 @@ def make_axes(row: Row, x: Vector, xy: Vector) -> tuple[Vector, Vector, Vector]:
     """Axes by x and a vector in the plane of x and y."""
     z = normalise(cross(x, xy))
     if z == (0.0, 0.0, 0.0):
-        raise BadInput(row.place, f"the two vectors of *{row.card} are along one line or 0 (they give no axes): correct them")
+        raise BadInput(row.place,
+                       f"the two vectors of *{row.card} are along one line or 0 (they give no axes): correct them")
     return normalise(x), normalise(cross(z, x)), z
 
 

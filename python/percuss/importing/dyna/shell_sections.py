@@ -49,7 +49,8 @@ def takes_form(deck: KeywordDeck, row: Row, card: str) -> bool:
     """Whether shells of an ELFORM become that of percuss."""
     form = row.integer("ELFORM") or deck.shell_form
     return form in SHELL_FORMS | MEMBRANE_FORMS or deck.ledger.refuse(
-        f"{card}.ELFORM", row.place, f"formulation {form} (percuss has no plane or axisymmetric elements)", "the shell of percuss is used"
+        f"{card}.ELFORM", row.place, f"formulation {form} (percuss has no plane or axisymmetric elements)",
+        "the shell of percuss is used"
     )
 
 
@@ -57,7 +58,8 @@ def make_membrane(deck: KeywordDeck, section: ShellSection, row: Row, card: str)
     """The section as one of membranes, if its ELFORM says so."""
     section.is_membrane = (row.integer("ELFORM") or deck.shell_form) in MEMBRANE_FORMS
     if section.is_membrane:
-        deck.ledger.translated(f"{card}.ELFORM", row.place, "integration: membrane of the part, with one point in the plane")
+        deck.ledger.translated(f"{card}.ELFORM", row.place,
+                               "integration: membrane of the part, with one point in the plane")
         if section.reference:
             deck.ledger.ignored(f"{card}.NLOC", row.place, "a membrane does not bend, wherever its mesh lies")
             section.reference = 0.0
@@ -70,26 +72,33 @@ def translate_layup(deck: KeywordDeck, part: PartCard, layup: Layup, shells: lis
     if not takes_form(deck, row, "PART_COMPOSITE"):
         return None
     if any(shell.thickness and shell.thickness != layup.thickness for shell in shells):
-        deck.ledger.refuse("ELEMENT_SHELL_THICKNESS", part.place, "shells of *PART_COMPOSITE with another thickness than its plies", "that of the plies counts")
+        deck.ledger.refuse("ELEMENT_SHELL_THICKNESS", part.place,
+                           "shells of *PART_COMPOSITE with another thickness than its plies",
+                           "that of the plies counts")
     for shell in shells:
         shell.thickness = None
     row.skip("PID", "SHRF")
     per_area = max(row.number("MAREA"), 0.0)
-    section = ShellSection([layup.thickness] * 4, 2, row.number("NLOC"), per_area, reduce_points(deck.ledger, "PART_COMPOSITE", part.place, layup.layers))
+    section = ShellSection([layup.thickness] * 4, 2, row.number("NLOC"), per_area,
+                           reduce_points(deck.ledger, "PART_COMPOSITE", part.place, layup.layers))
     refuse_offset_contact(deck, section.reference, row)
     row.finish(deck.ledger)
-    text = "plies with two Gauss points each, so that they bend as laminate theory says; transverse shear by the energy of its stresses, in place of SHRF"
+    text = ("plies with two Gauss points each, so that they bend as laminate theory says; "
+            "transverse shear by the energy of its stresses, in place of SHRF")
     deck.ledger.approximated("PART_COMPOSITE", part.place, text)
     return make_membrane(deck, section, row, "PART_COMPOSITE")
 
 
 def refuse_offset_contact(deck: KeywordDeck, reference: float, row: Row) -> None:
     if reference and deck.contact_at_offset:
-        deck.ledger.refuse("CONTROL_SHELL.CNTCO", row.place, f"CNTCO: contact at the surfaces of shells whose middle lies {0.5 * abs(reference):g} of their thickness off the mesh", "they touch at half their thickness from the mesh")
+        deck.ledger.refuse("CONTROL_SHELL.CNTCO", row.place,
+                           f"CNTCO: contact at the surfaces of shells whose middle lies {0.5 * abs(reference):g} of "
+                           "their thickness off the mesh", "they touch at half their thickness from the mesh")
 
 
 def read_angles(deck: KeywordDeck, part: PartCard, row: Row, reader: Lines) -> list[Layer]:
-    """ICOMP: the angle at each integration point, as plies whose thicknesses are its weights. Isotropic laws have no angles."""
+    """ICOMP: the angle at each integration point, as plies whose thicknesses are its weights.
+    Isotropic laws have no angles."""
     count = abs(row.integer("NIP")) or 2
     material = deck.materials.get(part.material)
     if not row.integer("ICOMP") or material is None or name_law(material.keyword) not in ORTHOTROPIC:
@@ -100,7 +109,8 @@ def read_angles(deck: KeywordDeck, part: PartCard, row: Row, reader: Lines) -> l
     while len(angles) < count:
         angles += reader.row("B1 B2 B3 B4 B5 B6 B7 B8").numbers(*(f"B{i}" for i in range(1, 9)))
     ends = 0.5 / (count - 1) if count > 1 else 1.0
-    shares = [ends if i in (0, count - 1) else 2 * ends for i in range(count)] if row.integer("QR") == 1 else gauss_shares(count)
+    shares = ([ends if i in (0, count - 1) else 2 * ends for i in range(count)] if row.integer("QR") == 1
+              else gauss_shares(count))
     text = "plies as thick as the weights of the points of integration, with Gauss points of their own"
     deck.ledger.approximated("SECTION_SHELL.ICOMP", row.place, text)
     return [Layer(part.material, share, angle) for share, angle in zip(shares, angles)]
@@ -116,12 +126,15 @@ def translate_shell_section(deck: KeywordDeck, part: PartCard, card: Card) -> Sh
         return None
     corners = read_thicknesses(more)
     if len(set(corners)) > 1:
-        deck.ledger.approximated("SECTION_SHELL.T2", more.place, "thickness that differs between the corners: each shell has the mean of its corners")
+        deck.ledger.approximated("SECTION_SHELL.T2", more.place,
+                                 "thickness that differs between the corners: each shell has the mean of its corners")
     points = abs(row.integer("NIP")) or 2
     if points > MOST_POINTS and not layers:
-        deck.ledger.approximated("SECTION_SHELL.NIP", row.place, f"{MOST_POINTS} points through the thickness in place of {points}")
+        deck.ledger.approximated("SECTION_SHELL.NIP", row.place,
+                                 f"{MOST_POINTS} points through the thickness in place of {points}")
     if row.integer("QR") < 0:
-        deck.ledger.refuse("SECTION_SHELL.QR", row.place, "a rule of integration of the user's", "Gauss points are used")
+        deck.ledger.refuse("SECTION_SHELL.QR", row.place,
+                           "a rule of integration of the user's", "Gauss points are used")
     elif row.integer("QR"):
         deck.ledger.approximated("SECTION_SHELL.QR", row.place, "Gauss points in place of the trapezoidal rule")
     row.skip("SECID", "SHRF", "ICOMP")
@@ -159,7 +172,8 @@ def divide_shells(
     for shell in shells:
         groups.setdefault(section.thickness_of(shell), []).append((shell.id, shell.corners))
     if min(groups) <= 0:
-        raise BadInput(section.place or part.place, f"T1 is 0 or blank in the section of part {part.id} (shells need a thickness): give T1 in its *SECTION_SHELL")
+        raise BadInput(section.place or part.place, f"T1 is 0 or blank in the section of part {part.id} "
+                                                    "(shells need a thickness): give T1 in its *SECTION_SHELL")
     if len(groups) > 1 and not section.reference and not section.per_area and not section.layers:
         deck.ledger.translated(name_thickness(shells), part.place, "thickness of each shell, from the mesh file")
         return [mark_axes(make_block_of_thicknesses(part, groups, section, name), shells)]

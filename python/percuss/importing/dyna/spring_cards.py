@@ -84,7 +84,8 @@ def scale_law(law: Deck, scale: float) -> Deck:
     if scale == 1.0:
         return law
     return {
-        key: [[row[0], scale * row[1]] for row in value] if key == "table" else scale * value for key, value in law.items()
+        key: [[row[0], scale * row[1]] for row in value] if key == "table" else scale * value
+        for key, value in law.items()
     }
 
 

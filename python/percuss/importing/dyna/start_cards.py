@@ -21,7 +21,8 @@ def turn_vector(deck: KeywordDeck, row: Row, vector: list[float]) -> list[float]
     if not id or not any(vector):
         return vector
     if id not in deck.systems:
-        deck.ledger.refuse(f"{row.card}.ICID", row.place, f"the coordinate system {id}, which is not read", "the axes of space are used")
+        deck.ledger.refuse(f"{row.card}.ICID", row.place, f"the coordinate system {id}, which is not read",
+                           "the axes of space are used")
         return vector
     axes = deck.systems[id]
     return [sum(vector[i] * axes[i][d] for i in range(3)) for d in range(3)]
@@ -62,10 +63,12 @@ def apply_initial_velocity(deck: KeywordDeck, card: Card, row: Row, motion: Row,
 
 def overwrite_bodies(deck: KeywordDeck, row: Row, motion: Row, velocity: list[float], box: int) -> None:
     """IRIGID: bodies whose cards with inertia give another velocity get this one. It says nothing of other bodies."""
-    which, spin = row.integer("IRIGID"), turn_vector(deck, row, motion.numbers("VXR", "VYR", "VZR")) if row.integer("IRIGID") else []
+    which, spin = (row.integer("IRIGID"),
+                   turn_vector(deck, row, motion.numbers("VXR", "VYR", "VZR")) if row.integer("IRIGID") else [])
     if not which or not deck.started_bodies:
         return
-    names = set(deck.started_bodies) if which < 0 else {deck.body_names.get(find_lead(deck, id), "") for id in deck.list_members("PART", which, row.place)}
+    names = (set(deck.started_bodies) if which < 0
+             else {deck.body_names.get(find_lead(deck, id), "") for id in deck.list_members("PART", which, row.place)})
     for name, entry in deck.started_bodies.items():
         if name not in names:
             continue
@@ -102,7 +105,9 @@ def read_generation(deck: KeywordDeck, card: Card) -> None:
         names = find_generated(deck, row)
         motion = make_spin(deck, row, axis)
         if axis.integer("PHASE") and deck.model.deck.get("start", {}):  # else nothing deforms before time 0
-            deck.ledger.refuse(f"{card.keyword}.PHASE", axis.place, "PHASE is 1: velocities on the mesh that a relaxation deforms", "they are those of the mesh as given")
+            deck.ledger.refuse(f"{card.keyword}.PHASE", axis.place,
+                               "PHASE is 1: velocities on the mesh that a relaxation deforms",
+                               "they are those of the mesh as given")
         if axis.integer("IRIGID") or row.integer("IVATN"):
             start_constrained(deck, row, axis, motion)
         row.finish(deck.ledger)
@@ -116,7 +121,8 @@ def read_generation(deck: KeywordDeck, card: Card) -> None:
 
 
 def start_constrained(deck: KeywordDeck, row: Row, axis: Row, motion: Deck) -> None:
-    """IRIGID: bodies whose cards with inertia give another velocity get this one. IVATN: bodies get it as a whole, with what they are merged with."""
+    """IRIGID: bodies whose cards with inertia give another velocity get this one.
+    IVATN: bodies get it as a whole, with what they are merged with."""
     id, kind = row.integer("ID"), row.integer("STYP")
     if id and kind == 3:
         return
@@ -127,7 +133,8 @@ def start_constrained(deck: KeywordDeck, row: Row, axis: Row, motion: Deck) -> N
             if axis.integer("IRIGID"):
                 move_center(motion, deck.body_centers[name], deck.started_bodies[name])
         elif row.integer("IVATN"):
-            add_velocity(deck, deck.make_node_set(f"body_{name}", [node for node, body in deck.bodies_of_nodes.items() if body == name], row.place), motion)
+            add_velocity(deck, deck.make_node_set(f"body_{name}", [node for node, body in deck.bodies_of_nodes.items()
+                                                                   if body == name], row.place), motion)
 
 
 def move_center(motion: Deck, center: list[float], entry: Deck) -> None:
@@ -181,7 +188,8 @@ def direction_of_nodes(deck: KeywordDeck, axis: Row) -> tuple[float, ...]:
 
 
 def read_rigid_velocity(deck: KeywordDeck, card: Card) -> None:
-    """*INITIAL_VELOCITY_RIGID_BODY: velocity of the mass centre of a body, merged ones included, and spin. It counts more than all others."""
+    """*INITIAL_VELOCITY_RIGID_BODY: velocity of the mass centre of a body, merged ones included, and spin.
+    It counts more than all others."""
     for line in card.lines:
         if not line[1].strip():
             continue
@@ -197,13 +205,15 @@ def read_rigid_velocity(deck: KeywordDeck, card: Card) -> None:
             deck.model.add("initial", {"body": body, **entry})
             deck.ledger.translated(card.keyword, row.place, "initial: velocity and angular_velocity of the body")
         else:
-            deck.ledger.refuse(card.keyword, row.place, f"the velocity of part {id}, which is no rigid body with elements", "it is left out")
+            deck.ledger.refuse(card.keyword, row.place,
+                               f"the velocity of part {id}, which is no rigid body with elements", "it is left out")
 
 
 def read_temperature(deck: KeywordDeck, card: Card) -> None:
     """*INITIAL_TEMPERATURE_: it counts where a law depends on it."""
     if any(law.get("melt_temperature", NEVER) < NEVER for law in deck.model.materials.values()):
-        deck.ledger.refuse(card.keyword, card.place, "temperatures of nodes", "parts start at the room temperature of their law")
+        deck.ledger.refuse(card.keyword, card.place, "temperatures of nodes",
+                           "parts start at the room temperature of their law")
     else:
         deck.ledger.ignored(card.keyword, card.place, "no law of the deck depends on the temperature")
 
@@ -219,7 +229,9 @@ def add_masses(deck: KeywordDeck) -> None:
         elif node in deck.bodies_of_nodes:
             add_body_mass(deck, node, mass, place)
         else:
-            deck.ledger.refuse("ELEMENT_MASS.free", place, f"a mass on node {node}, which has no element and belongs to no rigid body", "it is left out")
+            deck.ledger.refuse("ELEMENT_MASS.free", place,
+                               f"a mass on node {node}, which has no element and belongs to no rigid body",
+                               "it is left out")
     for index, (mass, nodes) in enumerate(groups.items(), 1):
         name = deck.make_node_set(f"mass_{index}", nodes, place)
         if mass > 0:
@@ -234,8 +246,11 @@ def add_body_mass(deck: KeywordDeck, node: int, mass: float, place: Place) -> No
     if mass <= 0:
         return
     if node in deck.center_nodes:
-        deck.ledger.refuse("ELEMENT_MASS.PNODE", place, f"a mass on node {node}, which is at the mass centre of a body that it changes", "it is left out")
+        deck.ledger.refuse("ELEMENT_MASS.PNODE", place,
+                           f"a mass on node {node}, which is at the mass centre of a body that it changes",
+                           "it is left out")
         return
     own = next(n for n in sorted(deck.used_nodes()) if deck.bodies_of_nodes.get(n) == body)
     name = deck.make_node_set(f"mass_at_{node}", [own], place)
-    deck.model.deck.setdefault("rigid_sets", {})[name] = {"nodes": name, "body": body, "mass": mass, "center": list(deck.nodes[node])}
+    deck.model.deck.setdefault("rigid_sets", {})[name] = {"nodes": name, "body": body, "mass": mass,
+                                                          "center": list(deck.nodes[node])}

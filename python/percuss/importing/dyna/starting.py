@@ -1,11 +1,11 @@
-"""Velocities at time 0 as the entries of `initial` give them, for what is accelerated from them and for bodies whose nodes disagree."""
+"""Velocities at time 0 as the entries of `initial` give them,
+for what is accelerated from them and for bodies whose nodes disagree."""
 
 import math
-from collections.abc import Sequence
 from typing import Any
 
 from ..model import Block, Deck, Vector
-from ..shapes import cross, section_area, shell_area, solid_volume, subtract
+from ..shapes import cross, make_vector, section_area, shell_area, solid_volume, subtract
 from .deck import KeywordDeck
 
 AXES = ("x", "y", "z")
@@ -18,13 +18,10 @@ def list_members(deck: KeywordDeck, name: str) -> set[int]:
     """Nodes of a set or a part of the deck."""
     if name not in deck.start_members:
         nodes = deck.model.node_sets.get(name)
-        blocks = [block.id for block in deck.model.blocks if block.name == name or block.id in deck.model.block_sets.get(name, [])]
+        blocks = [block.id for block in deck.model.blocks if block.name == name
+                  or block.id in deck.model.block_sets.get(name, [])]
         deck.start_members[name] = set(nodes) if nodes is not None else deck.model.nodes_of_blocks(blocks)
     return deck.start_members[name]
-
-
-def make_vector(values: Sequence[float]) -> Vector:
-    return values[0], values[1], values[2]
 
 
 def read_start(entry: dict[str, Any]) -> Start:
@@ -60,7 +57,8 @@ def find_node_start(deck: KeywordDeck, node: int) -> dict[str, float] | None:
 
 def list_own_nodes(deck: KeywordDeck, body: str) -> list[int]:
     """Nodes of a body that say how it begins to move: those of rigid elements, or of its set."""
-    blocks = [block.id for block in deck.model.blocks if (rigid := block.keys.get("rigid")) and body in (block.name, isinstance(rigid, dict) and rigid.get("body"))]
+    blocks = [block.id for block in deck.model.blocks if (rigid := block.keys.get("rigid"))
+              and body in (block.name, isinstance(rigid, dict) and rigid.get("body"))]
     nodes = deck.model.nodes_of_blocks(blocks) if blocks else set(deck.model.node_sets.get(body, []))
     return sorted(nodes)
 
@@ -87,11 +85,13 @@ def balance_bodies(deck: KeywordDeck) -> None:
         starts = [find_start(deck, node) for node in nodes]
         if None in starts or len(set(starts)) < 2:
             continue
-        motion = find_mean_motion([(masses.get(node, 0.0), deck.nodes[node], start[0]) for node, start in zip(nodes, starts, strict=True)])  # type: ignore[index]
+        motion = find_mean_motion([(masses.get(node, 0.0), deck.nodes[node], start[0])
+                                   for node, start in zip(nodes, starts, strict=True) if start])
         if motion is None:
             continue
         deck.model.add("initial", {"body": body, **motion})
-        deck.ledger.approximated("INITIAL_VELOCITY.body", deck.body_places[body], "a rigid body whose nodes have different velocities has their momenta")
+        deck.ledger.approximated("INITIAL_VELOCITY.body", deck.body_places[body],
+                                 "a rigid body whose nodes have different velocities has their momenta")
 
 
 def find_masses(deck: KeywordDeck) -> dict[int, float]:
@@ -116,7 +116,8 @@ def measure(deck: KeywordDeck, block: Block, id: int, corners: tuple[int, ...]) 
 
 
 def find_mean_motion(points: list[tuple[float, Vector, Vector]]) -> Deck | None:
-    """Velocity of the centre and spin with the momenta of masses at points; None: they move as one already, or have no inertia."""
+    """Velocity of the centre and spin with the momenta of masses at points;
+    None: they move as one already, or have no inertia."""
     total = math.fsum(m for m, _, _ in points)
     if total <= 0:
         return None

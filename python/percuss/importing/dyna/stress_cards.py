@@ -30,25 +30,30 @@ def write(values: Values) -> str:
 def read_stresses(deck: KeywordDeck, card: Card) -> None:
     """A first line for each element, then one for each of its points."""
     if card.keyword not in ("INITIAL_STRESS_SHELL", "INITIAL_STRESS_SOLID"):
-        deck.ledger.refuse(card.keyword, card.place, "stresses of sets or of other elements", "they begin without stress")
+        deck.ledger.refuse(card.keyword, card.place, "stresses of sets or of other elements",
+                           "they begin without stress")
         return
     of_shells = card.keyword == "INITIAL_STRESS_SHELL"
     shift = deck.shell_shift if of_shells else 0
     blocks = {id: block for block in deck.model.blocks for id, _ in (block.shells if of_shells else block.solids)}
-    ten_nodes = {id for block in deck.model.blocks for id, corners in block.solids if len(corners) == 10 and not of_shells}
+    ten_nodes = {id for block in deck.model.blocks
+                 for id, corners in block.solids if len(corners) == 10 and not of_shells}
     reader = card.reader()
     while reader.skip_blank():
-        row = reader.row("EID NPLANE NTHICK NHISV NTENSR LARGE NTHINT NTHHSV" if of_shells else "EID NINT NHISV LARGE IVEFLG IALEGP NTHINT NTHHSV")
+        row = reader.row("EID NPLANE NTHICK NHISV NTENSR LARGE NTHINT NTHHSV" if of_shells
+                         else "EID NINT NHISV LARGE IVEFLG IALEGP NTHINT NTHHSV")
         if has_other_lines(deck, card, row, of_shells):
             return
         points = read_points(reader, row, of_shells)
         id = row.integer("EID") + shift
         row.finish(deck.ledger)
         if id not in blocks:
-            deck.ledger.refuse(f"{card.keyword}.EID", row.place, "stresses of elements that are not in the mesh", "they are left out")
+            deck.ledger.refuse(f"{card.keyword}.EID", row.place,
+                               "stresses of elements that are not in the mesh", "they are left out")
         elif id in ten_nodes:
             if has_values(points):
-                deck.ledger.refuse(f"{card.keyword}.ten_nodes", row.place, "stresses of tetrahedra of ten nodes", "they begin without stress")
+                deck.ledger.refuse(f"{card.keyword}.ten_nodes", row.place, "stresses of tetrahedra of ten nodes",
+                                   "they begin without stress")
         elif may_begin_so(deck, card, row.place, points, blocks[id]):
             if of_shells:
                 add_shell(deck, id, points, blocks[id])
@@ -66,13 +71,15 @@ def may_begin_so(deck: KeywordDeck, card: Card, place: Place, points: Points, bl
     if not takes_stress(deck.model, block):
         if has_values(points):
             deck.ledger.refuse(
-                f"{card.keyword}.material", place, "stresses of rigid parts, or of a law whose stress does not grow in increments",
+                f"{card.keyword}.material", place,
+                "stresses of rigid parts, or of a law whose stress does not grow in increments",
                 "they begin without stress and plastic strain",
             )  # fmt: skip
         return False
     if not takes_plastic_strain(deck.model, block):
         if any(values[6] for _, values in points):
-            deck.ledger.refuse(f"{card.keyword}.EPS", place, "plastic strains of a law without them", "they begin without plastic strain")
+            deck.ledger.refuse(f"{card.keyword}.EPS", place, "plastic strains of a law without them",
+                               "they begin without plastic strain")
         for _, values in points:
             values[6] = 0.0
     return True
@@ -80,9 +87,10 @@ def may_begin_so(deck: KeywordDeck, card: Card, place: Place, points: Points, bl
 
 def has_other_lines(deck: KeywordDeck, card: Card, row: Row, of_shells: bool) -> bool:
     """Refuses forms whose lines are others."""
-    for name in ("LARGE", "NHISV", "NTENSR", "NTHINT", "NTHHSV") if of_shells else ("LARGE", "NHISV", "NTHINT", "NTHHSV"):
+    for name in ("LARGE", "NHISV", *(["NTENSR"] if of_shells else []), "NTHINT", "NTHHSV"):
         if row.integer(name):
-            deck.ledger.refuse(f"{card.keyword}.{name}", row.place, f"{name} is {row.integer(name)}", "the rest of the card is left out")
+            deck.ledger.refuse(f"{card.keyword}.{name}", row.place, f"{name} is {row.integer(name)}",
+                               "the rest of the card is left out")
             return True
     return False
 
@@ -95,7 +103,8 @@ def read_points(reader: Lines, row: Row, of_shells: bool) -> Points:
         row.fail(names[-1], f"at most {MOST_LINES} points are read")
     points = []
     for _ in range(count):
-        line = reader.row("T SIGXX SIGYY SIGZZ SIGXY SIGYZ SIGZX EPS" if of_shells else "SIGXX SIGYY SIGZZ SIGXY SIGYZ SIGZX EPS")
+        line = reader.row("T SIGXX SIGYY SIGZZ SIGXY SIGYZ SIGZX EPS" if of_shells
+                          else "SIGXX SIGYY SIGZZ SIGXY SIGYZ SIGZX EPS")
         points.append((line.number("T") if of_shells else 0.0, line.numbers(*STRESS, "EPS")))
     return points
 
@@ -114,7 +123,8 @@ def add_shell(deck: KeywordDeck, id: int, points: Points, block: Block) -> None:
     rows = [f"{id},{layer},{write(interpolate(levels, place))}" for layer, place in enumerate(places, 1)]
     deck.model.add_start_rows("shell_stresses.csv", f"element,layer,{QUANTITIES}", {id: rows})
     if len(levels) > 1 and not fits(levels, places):
-        deck.ledger.approximated("INITIAL_STRESS_SHELL.T", block.place, "stresses of the layers from straight lines between the points of the card")
+        deck.ledger.approximated("INITIAL_STRESS_SHELL.T", block.place,
+                                 "stresses of the layers from straight lines between the points of the card")
 
 
 def merge_levels(points: Points) -> Points:

@@ -25,7 +25,9 @@ def read_node_limit(deck: KeywordDeck, card: Card) -> None:
             end_at_limits(deck, row, {"value": f"{follow(deck, node, row.place)}_{AXES[axis]}"})
         else:
             row.skip("MAXC", "MINC")
-            deck.ledger.approximated("TERMINATION_NODE.STOP", row.place, ("a force of contact on a node ends no run" if axis == 4 else f"STOP {axis} ends no run") + GOES_ON)
+            deck.ledger.approximated(
+                "TERMINATION_NODE.STOP", row.place,
+                ("a force of contact on a node ends no run" if axis == 4 else f"STOP {axis} ends no run") + GOES_ON)
 
 
 def read_body_limit(deck: KeywordDeck, card: Card) -> None:
@@ -62,7 +64,8 @@ def end_at(deck: KeywordDeck, card: str, place: Place, sensor: Deck) -> None:
     """The run ends by this sensor."""
     time = deck.model.deck["time"]
     if "until" in time:
-        deck.ledger.approximated(f"{card}.several", place, "of several events the first one of the deck alone ends the run")
+        deck.ledger.approximated(f"{card}.several", place,
+                                 "of several events the first one of the deck alone ends the run")
         return
     time["until"] = deck.model.names.take("stop")
     deck.model.deck.setdefault("sensors", {})[time["until"]] = sensor
@@ -95,7 +98,9 @@ def read_sensor_end(deck: KeywordDeck, card: Card) -> None:
         if sensor:
             end_at(deck, "TERMINATION_SENSOR", row.place, sensor)
         else:
-            deck.ledger.approximated("TERMINATION_SENSOR", row.place, f"a sensor of another kind than of the time, or of places and velocities of nodes, ends no run{GOES_ON}")
+            deck.ledger.approximated("TERMINATION_SENSOR", row.place,
+                                     "a sensor of another kind than of the time, "
+                                     f"or of places and velocities of nodes, ends no run{GOES_ON}")
 
 
 def find_card(deck: KeywordDeck, keyword: str, id: int) -> Card | None:
@@ -123,7 +128,8 @@ def make_sensor(deck: KeywordDeck, switch: Row) -> Deck | None:
     if found.keyword != "SENSOR_DEFINE_NODE" or level is None:
         return None
     row = found.reader().row("SENSID~label NODE1 NODE2 VID UNUSED~unused CTYPE")
-    first, second, axis, what = row.integer("NODE1"), row.integer("NODE2"), row.text("VID").lower(), row.text("CTYPE").upper()
+    first, second, axis, what = (row.integer("NODE1"), row.integer("NODE2"), row.text("VID").lower(),
+                                 row.text("CTYPE").upper())
     if second and what.startswith("COOR") and axis in ("", "0"):
         return {"distance": [follow(deck, node, row.place) for node in (first, second)], **level}
     if second or axis not in AXES.values() or not what.startswith(("COOR", "VEL")):

@@ -1,4 +1,5 @@
-"""*DEFINE_TRANSFORMATION, *NODE_TRANSFORM and *INCLUDE_TRANSFORM: nodes that are moved; files whose ids, nodes and units are changed."""
+"""*DEFINE_TRANSFORMATION, *NODE_TRANSFORM and *INCLUDE_TRANSFORM: nodes that are moved;
+files whose ids, nodes and units are changed."""
 
 import math
 from dataclasses import dataclass, field
@@ -19,39 +20,45 @@ SAME: Affine = (((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), (0.0, 0.0, 
 ROUND_OFF = 1e-9  # of products of rows that commute
 # What holds no places, directions or speeds of its own, but in nodes.
 MOVABLE = (
-    "NODE", "ELEMENT_SOLID", "ELEMENT_TSHELL", "ELEMENT_SHELL", "ELEMENT_MASS", "ELEMENT_DISCRETE", "PART", "SECTION_", "MAT_", "EOS_", "SET_", "DEFINE_CURVE",
-    "DEFINE_TABLE", "HOURGLASS", "CONTROL_", "DATABASE_", "CONTACT_", "TITLE", "CONSTRAINED_EXTRA_NODES", "CONSTRAINED_NODAL_RIGID_BODY",
+    "NODE", "ELEMENT_SOLID", "ELEMENT_TSHELL", "ELEMENT_SHELL", "ELEMENT_MASS", "ELEMENT_DISCRETE", "PART", "SECTION_",
+    "MAT_", "EOS_", "SET_", "DEFINE_CURVE", "DEFINE_TABLE", "HOURGLASS", "CONTROL_", "DATABASE_", "CONTACT_", "TITLE",
+    "CONSTRAINED_EXTRA_NODES", "CONSTRAINED_NODAL_RIGID_BODY",
 )  # fmt: skip
 # What has directions and speeds, but no places: it is as it stands where a file is not turned, scaled or mirrored.
 DIRECTED = (
-    "BOUNDARY_SPC", "BOUNDARY_PRESCRIBED_MOTION_", "LOAD_NODE_", "LOAD_SEGMENT", "LOAD_SHELL_", "LOAD_BODY_", "DAMPING_", "DEFINE_VECTOR",
-    "INITIAL_VELOCITY_NODE", "INITIAL_VELOCITY_RIGID_BODY", "CONSTRAINED_NODE_SET", "CONSTRAINED_RIGID_BODIES", "CONSTRAINED_SPOTWELD",
-    "CONSTRAINED_RIVET", "CONSTRAINED_JOINT_", "ELEMENT_BEAM",
+    "BOUNDARY_SPC", "BOUNDARY_PRESCRIBED_MOTION_", "LOAD_NODE_", "LOAD_SEGMENT", "LOAD_SHELL_", "LOAD_BODY_",
+    "DAMPING_", "DEFINE_VECTOR", "INITIAL_VELOCITY_NODE", "INITIAL_VELOCITY_RIGID_BODY", "CONSTRAINED_NODE_SET",
+    "CONSTRAINED_RIGID_BODIES", "CONSTRAINED_SPOTWELD", "CONSTRAINED_RIVET", "CONSTRAINED_JOINT_", "ELEMENT_BEAM",
 )  # fmt: skip
 # Whose fields with ids are all of SHIFTS, so that offsets reach what they define and what they refer to.
 SHIFTED = (
-    "NODE", "ELEMENT_SOLID", "ELEMENT_TSHELL", "ELEMENT_SHELL", "ELEMENT_BEAM", "ELEMENT_MASS", "ELEMENT_DISCRETE", "PART", "SECTION_", "MAT_", "EOS_", "SET_",
-    "DEFINE_CURVE", "DEFINE_TABLE", "DEFINE_BOX", "DEFINE_VECTOR", "HOURGLASS", "CONTROL_", "TITLE", "CONSTRAINED_EXTRA_NODES",
-    "CONSTRAINED_NODAL_RIGID_BODY", "CONSTRAINED_NODE_SET", "CONSTRAINED_RIGID_BODIES", "CONSTRAINED_SPOTWELD", "CONSTRAINED_RIVET",
-    "CONSTRAINED_JOINT_", "BOUNDARY_SPC", "BOUNDARY_PRESCRIBED_MOTION_", "LOAD_NODE_", "LOAD_SEGMENT", "LOAD_SHELL_", "LOAD_BODY_",
-    "DAMPING_PART_MASS", "INITIAL_VELOCITY_NODE", "INITIAL_VELOCITY_RIGID_BODY",
+    "NODE", "ELEMENT_SOLID", "ELEMENT_TSHELL", "ELEMENT_SHELL", "ELEMENT_BEAM", "ELEMENT_MASS", "ELEMENT_DISCRETE",
+    "PART", "SECTION_", "MAT_", "EOS_", "SET_", "DEFINE_CURVE", "DEFINE_TABLE", "DEFINE_BOX", "DEFINE_VECTOR",
+    "HOURGLASS", "CONTROL_", "TITLE", "CONSTRAINED_EXTRA_NODES", "CONSTRAINED_NODAL_RIGID_BODY", "CONSTRAINED_NODE_SET",
+    "CONSTRAINED_RIGID_BODIES", "CONSTRAINED_SPOTWELD", "CONSTRAINED_RIVET", "CONSTRAINED_JOINT_", "BOUNDARY_SPC",
+    "BOUNDARY_PRESCRIBED_MOTION_", "LOAD_NODE_", "LOAD_SEGMENT", "LOAD_SHELL_", "LOAD_BODY_", "DAMPING_PART_MASS",
+    "INITIAL_VELOCITY_NODE", "INITIAL_VELOCITY_RIGID_BODY",
 )  # fmt: skip
 ALONE = ("INITIAL_VELOCITY",)  # without what else begins so
 # Which offset of *INCLUDE_TRANSFORM a field gets, by its name; ID and N1 to N8 by their card.
 SHIFTS = {
     **dict.fromkeys(("NID", "NID1", "NID2", "NID3", *(f"N{i}" for i in range(1, 9)), "PNODE"), "IDNOFF"),
-    "EID": "IDEOFF", **dict.fromkeys(("PID", "PIDL", "PIDC", "PIDA", "PIDB"), "IDPOFF"), **dict.fromkeys(("MID", "MID1", "MID2", "EOSID"), "IDMOFF"), **dict.fromkeys(("SID", "NSID", "NSIDEX"), "IDSOFF"),
-    **dict.fromkeys(("LCID", "LCIDDR", "LCSS", "LCSR", "LCD", "LCR", "TBID", "LCA", "LCB", "LCC", "LCS", "LCAB", "LCBC", "LCCA", "LCIDPH", "LCIDT", "LCIDPS", "DLCIDPH", "DLCIDT", "DLCIDPS"), "IDFOFF"),
-    **dict.fromkeys(("BOXID", "VID", "CID", "ICID", "CIDA", "CIDB"), "IDDOFF"), **dict.fromkeys(("SECID", "HGID"), "IDROFF"),
+    "EID": "IDEOFF", **dict.fromkeys(("PID", "PIDL", "PIDC", "PIDA", "PIDB"), "IDPOFF"),
+    **dict.fromkeys(("MID", "MID1", "MID2", "EOSID"), "IDMOFF"), **dict.fromkeys(("SID", "NSID", "NSIDEX"), "IDSOFF"),
+    **dict.fromkeys(("LCID", "LCIDDR", "LCSS", "LCSR", "LCD", "LCR", "TBID", "LCA", "LCB", "LCC", "LCS", "LCAB", "LCBC",
+                     "LCCA", "LCIDPH", "LCIDT", "LCIDPS", "DLCIDPH", "DLCIDT", "DLCIDPS"), "IDFOFF"),
+    **dict.fromkeys(("BOXID", "VID", "CID", "ICID", "CIDA", "CIDB"), "IDDOFF"),
+    **dict.fromkeys(("SECID", "HGID"), "IDROFF"),
 }  # fmt: skip
 ID_OF_CARDS = {
-    "CONSTRAINED_EXTRA_NODES_NODE": "IDNOFF", "CONSTRAINED_EXTRA_NODES_SET": "IDSOFF", "ELEMENT_MASS": "IDNOFF", "ELEMENT_MASS_NODE_SET": "IDSOFF",
-    "ELEMENT_MASS_PART": "IDPOFF", "ELEMENT_MASS_PART_SET": "IDSOFF", "BOUNDARY_SPC_NODE": "IDNOFF", "BOUNDARY_SPC_SET": "IDSOFF",
-    "BOUNDARY_SPC_SYMMETRY_PLANE": "IDPOFF", "BOUNDARY_SPC_SYMMETRY_PLANE_SET": "IDSOFF",
-    "BOUNDARY_SPC_NODE_BIRTH_DEATH": "IDNOFF", "BOUNDARY_SPC_SET_BIRTH_DEATH": "IDSOFF", "BOUNDARY_PRESCRIBED_MOTION_NODE": "IDNOFF",
-    "BOUNDARY_PRESCRIBED_MOTION_SET": "IDSOFF", "BOUNDARY_PRESCRIBED_MOTION_RIGID": "IDPOFF", "LOAD_NODE_POINT": "IDNOFF", "LOAD_NODE_SET": "IDSOFF",
-    "LOAD_SEGMENT_SET": "IDSOFF", "LOAD_SHELL_SET": "IDSOFF", "LOAD_SHELL_ELEMENT": "IDEOFF", "DAMPING_PART_MASS": "IDPOFF",
-    "DAMPING_PART_MASS_SET": "IDSOFF",
+    "CONSTRAINED_EXTRA_NODES_NODE": "IDNOFF", "CONSTRAINED_EXTRA_NODES_SET": "IDSOFF", "ELEMENT_MASS": "IDNOFF",
+    "ELEMENT_MASS_NODE_SET": "IDSOFF", "ELEMENT_MASS_PART": "IDPOFF", "ELEMENT_MASS_PART_SET": "IDSOFF",
+    "BOUNDARY_SPC_NODE": "IDNOFF", "BOUNDARY_SPC_SET": "IDSOFF", "BOUNDARY_SPC_SYMMETRY_PLANE": "IDPOFF",
+    "BOUNDARY_SPC_SYMMETRY_PLANE_SET": "IDSOFF", "BOUNDARY_SPC_NODE_BIRTH_DEATH": "IDNOFF",
+    "BOUNDARY_SPC_SET_BIRTH_DEATH": "IDSOFF", "BOUNDARY_PRESCRIBED_MOTION_NODE": "IDNOFF",
+    "BOUNDARY_PRESCRIBED_MOTION_SET": "IDSOFF", "BOUNDARY_PRESCRIBED_MOTION_RIGID": "IDPOFF",
+    "LOAD_NODE_POINT": "IDNOFF", "LOAD_NODE_SET": "IDSOFF", "LOAD_SEGMENT_SET": "IDSOFF", "LOAD_SHELL_SET": "IDSOFF",
+    "LOAD_SHELL_ELEMENT": "IDEOFF", "DAMPING_PART_MASS": "IDPOFF", "DAMPING_PART_MASS_SET": "IDSOFF",
 }  # fmt: skip
 
 
@@ -95,13 +102,17 @@ class FileChange:
         """Refuses cards of the file with places, ids or numbers that are not changed with it."""
         kind = card.keyword
         is_directed = self.transform[0] == SAME[0] and (kind.startswith(DIRECTED) or kind in ALONE)
-        has_places = any(word in kind for word in ("INERTIA", "SYMMETRY_PLANE", "SOLID_ORTHO"))  # centres, axes and points
+        # centres, axes and points
+        has_places = any(word in kind for word in ("INERTIA", "SYMMETRY_PLANE", "SOLID_ORTHO"))
         if self.transform != SAME and (has_places or not (is_directed or kind.startswith(MOVABLE))):
-            ledger.refuse(f"INCLUDE_TRANSFORM.{kind}", card.place, "a card in a file that is moved", "it acts where it stands")
+            ledger.refuse(f"INCLUDE_TRANSFORM.{kind}", card.place, "a card in a file that is moved",
+                          "it acts where it stands")
         if self.offsets and not kind.startswith(SHIFTED) and kind not in ALONE:
-            ledger.refuse(f"INCLUDE_TRANSFORM.{kind}", card.place, "a card in a file whose ids get offsets", "its ids stay as they are")
+            ledger.refuse(f"INCLUDE_TRANSFORM.{kind}", card.place, "a card in a file whose ids get offsets",
+                          "its ids stay as they are")
         if self.factors != SAME_UNITS and find_card(kind) is None:
-            ledger.refuse(f"INCLUDE_TRANSFORM.{kind}", card.place, "a card in a file whose units are changed", "its numbers stay as they are")
+            ledger.refuse(f"INCLUDE_TRANSFORM.{kind}", card.place, "a card in a file whose units are changed",
+                          "its numbers stay as they are")
 
 
 UNCHANGED = FileChange()
@@ -147,7 +158,8 @@ def mirror(point: Vector, normal: Vector) -> Affine:
 
 def find_axes(points: list[Vector]) -> list[Vector]:
     """Axes by an origin, a point on x and a point in the plane of x and y."""
-    x, z = normalise(subtract(points[1], points[0])), normalise(cross(subtract(points[1], points[0]), subtract(points[2], points[0])))
+    x, z = (normalise(subtract(points[1], points[0])),
+            normalise(cross(subtract(points[1], points[0]), subtract(points[2], points[0]))))
     return [x, cross(z, x), z]
 
 
@@ -159,7 +171,8 @@ def place(points: list[Vector]) -> Affine:
 
 
 class Transformation:
-    """*DEFINE_TRANSFORMATION: rows of which the last acts first. Nodes in them are those that are read before it is used."""
+    """*DEFINE_TRANSFORMATION: rows of which the last acts first.
+    Nodes in them are those that are read before it is used."""
 
     def __init__(self, card: "Card"):
         self.place = card.place
@@ -170,7 +183,8 @@ class Transformation:
         self._rows: list[tuple[Row, list[Row]]] = []
         while reader.skip_blank():
             row = reader.row("OPTION A1 A2 A3 A4 A5 A6 A7")
-            more = [reader.row("M1 M2 M3 M4 M5 M6 M7 M8") for _ in range(2 if row.text("OPTION").upper() == "MATRIX" else 0)]
+            more = [reader.row("M1 M2 M3 M4 M5 M6 M7 M8")
+                    for _ in range(2 if row.text("OPTION").upper() == "MATRIX" else 0)]
             self._rows.append((row, more))
 
     def find(self, nodes: dict[int, Vector], ledger: Ledger) -> Affine:
@@ -186,7 +200,8 @@ class Transformation:
         for step in steps:
             total, reverse = compose(total, step), compose(step, reverse)
         if differ(total, reverse):
-            text = "its rows do not commute: the last acts first, as in Ansys' PyDyna; OpenRadioss lets the first act first"
+            text = ("its rows do not commute: the last acts first, as in Ansys' PyDyna; "
+                    "OpenRadioss lets the first act first")
             ledger.approximated("DEFINE_TRANSFORMATION.order", self.place, text)
         return total
 
@@ -222,11 +237,13 @@ def make_step(row: Row, more: list[Row], points: dict[int, Vector], nodes: dict[
     if option == "MIRROR":
         return mirror((a[0], a[1], a[2]), check_way(row, (a[3] - a[0], a[4] - a[1], a[5] - a[2])))
     if option in ("POS6P", "POS6N"):
-        return place([find_point(row, f"A{i}", points if option == "POS6P" else {}, nodes if option == "POS6N" else {}) for i in range(1, 7)])
+        return place([find_point(row, f"A{i}", points if option == "POS6P" else {}, nodes if option == "POS6N" else {})
+                      for i in range(1, 7)])
     if option == "MATRIX":
         m = [value for line in more for value in line.numbers(*(f"M{i}" for i in range(1, 9)))]
         return ((m[0], m[4], m[8]), (m[1], m[5], m[9]), (m[2], m[6], m[10])), (m[12], m[13], m[14])
-    raise BadInput(row.place, f"{clip(option) or 'a blank row'} of *DEFINE_TRANSFORMATION is not read (TRANSL, TRANSL2ND, SCALE, ROTATE, ROTATE3NA, "
+    raise BadInput(row.place, f"{clip(option) or 'a blank row'} of *DEFINE_TRANSFORMATION is not read "
+                              "(TRANSL, TRANSL2ND, SCALE, ROTATE, ROTATE3NA, "
                               "MIRROR, POINT, POS6P, POS6N and MATRIX are)")  # fmt: skip
 
 
@@ -242,16 +259,20 @@ def find_point(row: Row, name: str, points: dict[int, Vector], nodes: dict[int, 
 
 def check_way(row: Row, way: Vector) -> Vector:
     if not any(way):
-        raise BadInput(row.place, f"two points of {row.text('OPTION').upper()} are at one place (they give no direction): correct one")
+        raise BadInput(row.place, f"two points of {row.text('OPTION').upper()} are at one place "
+                                  "(they give no direction): correct one")
     return way
 
 
-def read_include(card: "Card", known: dict[int, Transformation], nodes: dict[int, Vector], ledger: Ledger) -> tuple[str, FileChange]:
+def read_include(card: "Card", known: dict[int, Transformation], nodes: dict[int, Vector],
+                 ledger: Ledger) -> tuple[str, FileChange]:
     """The file of an *INCLUDE_TRANSFORM and what is done to it."""
     reader: Lines = card.reader()
     name = reader.text()
-    ids, others = reader.row("IDNOFF IDEOFF IDPOFF IDMOFF IDSOFF IDFOFF IDDOFF"), reader.row("IDROFF PREFIX~label SUFFIX~label")
-    offsets = {kind: ids.integer(kind) for kind in ("IDNOFF", "IDEOFF", "IDPOFF", "IDMOFF", "IDSOFF", "IDFOFF", "IDDOFF")}
+    ids, others = (reader.row("IDNOFF IDEOFF IDPOFF IDMOFF IDSOFF IDFOFF IDDOFF"),
+                   reader.row("IDROFF PREFIX~label SUFFIX~label"))
+    offsets = {kind: ids.integer(kind)
+               for kind in ("IDNOFF", "IDEOFF", "IDPOFF", "IDMOFF", "IDSOFF", "IDFOFF", "IDDOFF")}
     offsets["IDROFF"] = others.integer("IDROFF")
     others.skip("PREFIX", "SUFFIX")
     units = reader.row("FCTMAS=1 FCTTIM=1 FCTLEN=1 FCTTEM=1 INCOUT1~output")
@@ -260,10 +281,12 @@ def read_include(card: "Card", known: dict[int, Transformation], nodes: dict[int
     last = reader.row("TRANID")
     id = last.integer("TRANID")
     if surplus := card.find_surplus():
-        raise BadInput(card.at(surplus), "a line that *INCLUDE_TRANSFORM does not have (TRANID is in its fifth): blank lines count")
+        raise BadInput(card.at(surplus),
+                       "a line that *INCLUDE_TRANSFORM does not have (TRANID is in its fifth): blank lines count")
     if id and id not in known:
         last.fail("TRANID", "there is no such *DEFINE_TRANSFORMATION before it")
     if min(factors) <= 0:
         raise BadInput(units.place, "a factor of units is below 0: correct it")
     transform = known[id].find(nodes, ledger) if id else SAME
-    return name, FileChange({kind: shift for kind, shift in offsets.items() if shift}, factors, transform)  # type: ignore[arg-type]
+    shifts = {kind: shift for kind, shift in offsets.items() if shift}
+    return name, FileChange(shifts, factors, transform)  # type: ignore[arg-type]

@@ -1,4 +1,5 @@
-"""*CONSTRAINED_JOINT_STIFFNESS_GENERALIZED: springs, dampers, friction and stops of the turn between two rigid bodies."""
+"""*CONSTRAINED_JOINT_STIFFNESS_GENERALIZED: springs, dampers,
+friction and stops of the turn between two rigid bodies."""
 
 import math
 
@@ -37,7 +38,8 @@ def make_law(deck: KeywordDeck, spring: TurnSpringCard, end: str) -> Deck:
     least, most = (abs(stops.number(f"{sign}SA{end}")) for sign in "NP")
     if not stiffness:
         if friction or least or most:
-            deck.ledger.ignored(f"{CARD}.ES{end}", holds.place, f"friction and stops of this angle do not act: ES{end} is 0")
+            deck.ledger.ignored(f"{CARD}.ES{end}", holds.place,
+                                f"friction and stops of this angle do not act: ES{end} is 0")
         return law
     held: Deck = {}
     if friction < 0:
@@ -67,7 +69,8 @@ def find_axes(deck: KeywordDeck, id: int, spring: TurnSpringCard) -> list[list[f
     """x and y of a system at the start; None: refused."""
     axes = deck.systems.get(id) or deck.moving_systems.get(id) if id else SPACE
     if axes is None:
-        deck.ledger.refuse(f"{CARD}.CIDA", spring.row.place, f"axes of system {id}, which is not there or is given in another one", LEFT_OUT)
+        deck.ledger.refuse(f"{CARD}.CIDA", spring.row.place,
+                           f"axes of system {id}, which is not there or is given in another one", LEFT_OUT)
         return None
     return [list(axes[0]), list(axes[1])]
 
@@ -85,7 +88,8 @@ def add_turn_springs(deck: KeywordDeck) -> None:
             line.finish(deck.ledger)
         names = [find_body_name(deck, id, place) for id in parts]
         if not all(names):
-            deck.ledger.refuse(CARD, place, f"part {parts[names.index('')]}, which is no rigid body with elements", LEFT_OUT)
+            deck.ledger.refuse(CARD, place,
+                               f"part {parts[names.index('')]}, which is no rigid body with elements", LEFT_OUT)
         elif names[0] == names[1]:
             deck.ledger.refuse(CARD, place, "springs within one rigid body", LEFT_OUT)
         elif not laws:

@@ -20,8 +20,10 @@ def note_definitions(deck: KeywordDeck) -> None:
 def list_definitions(deck: KeywordDeck) -> Iterator[tuple[str, Place, int, str]]:
     """Keyword, first and last line, and why it is without effect; empty: parts with elements use it."""
     parts = deck.parts.values()
-    sections = {part.section: part.id in deck.elements for part in sorted(parts, key=lambda part: part.id in deck.elements)}
-    controls = {part.hourglass: part.id in deck.elements for part in sorted(parts, key=lambda part: part.id in deck.elements)}
+    sections = {part.section: part.id in deck.elements
+                for part in sorted(parts, key=lambda part: part.id in deck.elements)}
+    controls = {part.hourglass: part.id in deck.elements
+                for part in sorted(parts, key=lambda part: part.id in deck.elements)}
     for id, section in deck.sections.items():
         yield section.keyword, section.place, section.lines[-1][0], judge(sections.get(id))
     for id, row in deck.hourglass.items():
@@ -39,4 +41,5 @@ def list_definitions(deck: KeywordDeck) -> Iterator[tuple[str, Place, int, str]]
 
 def judge(has_elements: bool | None) -> str:
     """Why a definition is without effect. has_elements: of a part that uses it; None: no part does."""
-    return "no part uses it" if has_elements is None else "" if has_elements else "no element is of the parts that use it"
+    return ("no part uses it" if has_elements is None else "" if has_elements
+            else "no element is of the parts that use it")

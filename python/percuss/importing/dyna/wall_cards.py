@@ -51,7 +51,8 @@ def read_geometric_wall(deck: KeywordDeck, card: Card) -> None:
     """*RIGIDWALL_GEOMETRIC_FLAT, _CYLINDER and _SPHERE with _ID, _MOTION and _DISPLAY."""
     shape, *options = card.keyword.removeprefix("RIGIDWALL_GEOMETRIC").split("_")[1:] or [""]
     if shape not in ("FLAT", "CYLINDER", "SPHERE") or set(options) - {"MOTION", "DISPLAY"}:
-        deck.ledger.refuse(card.keyword, card.place, "a rigid wall that is a prism, hollow, or deforms", "it is left out")
+        deck.ledger.refuse(card.keyword, card.place,
+                           "a rigid wall that is a prism, hollow, or deforms", "it is left out")
         return
     reader = card.reader()
     while reader.next_card(of_lines=True):
@@ -84,7 +85,8 @@ def round_wall(deck: KeywordDeck, reader: Lines, wall: Deck, shape: str) -> None
         for _ in range(min(row.integer("NSEGS"), 1000)):
             reader.row("VL~output HEIGHT~output")
         if row.integer("NSEGS") > 0:
-            deck.ledger.ignored("RIGIDWALL_GEOMETRIC_CYLINDER.NSEGS", row.place, "output; percuss writes the force of the wall")
+            deck.ledger.ignored("RIGIDWALL_GEOMETRIC_CYLINDER.NSEGS", row.place,
+                                "output; percuss writes the force of the wall")
     row.finish(deck.ledger)
 
 
@@ -96,7 +98,8 @@ def read_wall_motion(deck: KeywordDeck, card: Card, reader: Lines, wall: Deck) -
     curve = deck.curve(row.integer("LCID"), row.place, "time", "length" if kind else "speed")
     row.finish(deck.ledger)
     if way == (0.0, 0.0, 0.0) or kind not in (0, 1) or (kind == 1 and len(curve.points) < 2):
-        deck.ledger.refuse(f"{card.keyword}.MOTION", row.place, "a motion without a direction or a table", "the wall is left out")
+        deck.ledger.refuse(f"{card.keyword}.MOTION", row.place,
+                           "a motion without a direction or a table", "the wall is left out")
         return False
     if kind == 1:
         curve = Curve(curve.place, differentiate(order_points(curve.points)))
@@ -105,7 +108,8 @@ def read_wall_motion(deck: KeywordDeck, card: Card, reader: Lines, wall: Deck) -
     if "normal" in wall:
         scale = dot(way, tuple(wall["normal"]))  # type: ignore[arg-type]
         if abs(abs(scale) - 1) > 1e-9:
-            deck.ledger.refuse(f"{card.keyword}.VX", row.place, "a plane that moves along itself too", "its way along the normal alone")
+            deck.ledger.refuse(f"{card.keyword}.VX", row.place, "a plane that moves along itself too",
+                               "its way along the normal alone")
     else:
         wall["direction"] = list(way)
     wall["speed"] = make_time_value(curve, scale, deck.end_time)
@@ -121,7 +125,8 @@ def make_wall(deck: KeywordDeck, plane: Row, name: str, shape: str = "FLAT") -> 
     wall: Deck = {"name": deck.model.names.take(name, "wall"), "point": list(point), "normal": list(normal)}
     if friction >= 2:
         deck.ledger.refuse(
-            "RIGIDWALL_PLANAR.FRIC", plane.place, "nodes that stick to the wall", "friction holds them, and they may separate"
+            "RIGIDWALL_PLANAR.FRIC", plane.place, "nodes that stick to the wall",
+            "friction holds them, and they may separate"
         )
     if friction >= 1:
         deck.ledger.approximated("RIGIDWALL_PLANAR.FRIC", plane.place, f"sticking is a friction of {STICK:g}")
@@ -147,7 +152,8 @@ def read_wall_options(deck: KeywordDeck, reader: Lines, words: list[str], wall: 
             first = reader.row("SFRICA SFRICB DFRICA DFRICB DECAYA DECAYB")
             reader.row("NODE1 NODE2 D1 D2 D3")
             deck.ledger.refuse(
-                "RIGIDWALL_PLANAR_ORTHO", first.place, "friction that depends on the direction", "FRIC acts in all directions"
+                "RIGIDWALL_PLANAR_ORTHO", first.place, "friction that depends on the direction",
+                "FRIC acts in all directions"
             )
         else:
             first = reader.row("SOFT~penalty SSID~output N1~output N2~output N3~output N4~output")
@@ -189,7 +195,8 @@ def choose_nodes(deck: KeywordDeck, row: Row, wall: Deck, offset: float) -> bool
     id, exempt, box = row.integer("NSID"), row.integer("NSIDEX"), row.integer("BOXID")
     birth, death = row.numbers("BIRTH", "DEATH")
     if birth > 0 and wall.keys() & {"speed", "mass"}:
-        deck.ledger.refuse("RIGIDWALL_PLANAR.BIRTH", row.place, "a wall that moves with a birth time", "it moves from time 0 on")
+        deck.ledger.refuse("RIGIDWALL_PLANAR.BIRTH", row.place, "a wall that moves with a birth time",
+                           "it moves from time 0 on")
     wall |= switch(deck, Window(max(birth, 0.0), death if 0 < death < deck.end_time else None))
     row.finish(deck.ledger)
     if not (id or exempt or box or offset):

@@ -51,7 +51,8 @@ def add_general(deck: KeywordDeck, card: Card) -> None:
         id = read_id(reader) if card.has_id else 0
         row = reader.row("NSID CID FILTER WINDOW NPR~absent NPRT~output")
         if row.integer("CID"):
-            deck.ledger.refuse(f"{card.keyword}.CID", row.place, "axes of its own", "the normal is the line between its nodes")
+            deck.ledger.refuse(f"{card.keyword}.CID", row.place, "axes of its own",
+                               "the normal is the line between its nodes")
         limits = reader.row("TFAIL EPSF SN SS N M")
         set_id = row.integer("NSID")
         row.finish(deck.ledger, "forces are not filtered")
@@ -97,7 +98,8 @@ def add_time(row: Row, field: str, failure: Deck) -> None:
 
 def refuse_strain(deck: KeywordDeck, row: Row, field: str) -> None:
     if 0 < row.number(field) < NEVER:
-        deck.ledger.refuse(f"{row.card}.{field}", row.place, "failure by plastic strain beside the weld", "strengths alone count")
+        deck.ledger.refuse(f"{row.card}.{field}", row.place,
+                           "failure by plastic strain beside the weld", "strengths alone count")
 
 
 def add_weld(deck: KeywordDeck, nodes: tuple[int, int], failure: Deck, place: Place, id: int) -> None:
@@ -116,7 +118,8 @@ def add_weld(deck: KeywordDeck, nodes: tuple[int, int], failure: Deck, place: Pl
     strengths = {"normal", "shear"} & failure.keys()
     if strengths and deck.nodes[nodes[0]] == deck.nodes[nodes[1]]:
         deck.ledger.refuse(
-            "CONSTRAINED_SPOTWELD.line", place, "strengths of a weld of nodes at one place, which has no normal", "it holds"
+            "CONSTRAINED_SPOTWELD.line", place,
+            "strengths of a weld of nodes at one place, which has no normal", "it holds"
         )
         failure = {key: value for key, value in failure.items() if key == "time"}
     if failure:

@@ -1,4 +1,5 @@
-"""Birth and death: sensors of times, which switch conditions and loads. A motion that begins where another ends continues it."""
+"""Birth and death: sensors of times, which switch conditions and loads.
+A motion that begins where another ends continues it."""
 
 from dataclasses import dataclass
 
@@ -30,7 +31,8 @@ def name_sensor(deck: KeywordDeck, time: float) -> str:
 def acts_in_run(deck: KeywordDeck, curve: Curve, place: Place) -> bool:
     """Whether a motion is one of the run: with SIDR 1 its curve acts in a dynamic relaxation before it alone."""
     if curve.relaxation == 1:
-        deck.ledger.refuse("BOUNDARY_PRESCRIBED_MOTION.LCID", place, "a motion by a curve with SIDR = 1, of dynamic relaxation alone", "the motion is left out")
+        deck.ledger.refuse("BOUNDARY_PRESCRIBED_MOTION.LCID", place,
+                           "a motion by a curve with SIDR = 1, of dynamic relaxation alone", "the motion is left out")
         return False
     curve.is_of_time = True
     return True
@@ -56,7 +58,8 @@ def add_motion(deck: KeywordDeck, target: Deck, motion: Deck) -> None:
 
 
 def join_motions(deck: KeywordDeck, first: Deck, second: Deck) -> Deck | None:
-    """A velocity over the time of both, where the second begins as the first ends, in the same direction; None otherwise."""
+    """A velocity over the time of both, where the second begins as the first ends,
+    in the same direction; None otherwise."""
     if "until" not in first or first["until"] != second.get("from"):
         return None
     sensors = deck.model.deck["sensors"]
@@ -84,4 +87,5 @@ def list_velocities(motion: Deck, start: float, end: float) -> Points | None:
     points = [(x, y) for x, y in value["table"]] if isinstance(value, dict) else [(start, value), (end, value)]
     if "displacement" in motion:
         points = differentiate(points)
-    return [(start, interpolate(points, start)), *((x, y) for x, y in points if start < x < end), (end, interpolate(points, end))]
+    return [(start, interpolate(points, start)), *((x, y) for x, y in points if start < x < end),
+            (end, interpolate(points, end))]

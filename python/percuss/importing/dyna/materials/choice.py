@@ -34,8 +34,12 @@ from .voids import VOIDS
 
 ADDITIONS = ("MAT_ADD_", "MAT_NONLOCAL")  # cards that repeat the id of their material
 LOG_OPTION = "_LOG_INTERPOLATION"
-LINES = {"SPRING_ELASTIC": 1, "DAMPER_VISCOUS": 1, "SPRING_NONLINEAR_ELASTIC": 1, "ELASTIC": 1, "PLASTIC_KINEMATIC": 2, "RIGID": 3, "NULL": 1, "ORTHOTROPIC_ELASTIC": 4, "COMPOSITE_DAMAGE": 5, "PIECEWISE_LINEAR_PLASTICITY": 4, "VISCOELASTIC": 1, "HILL_3R": 5, "TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC": 1, COHESIVE_LAW: 2}
-LAWS: dict[str, Callable[[KeywordDeck, Card, Use], Deck | None]] = {**ELASTIC, **METALS, **JOHNSON, **CRUSHABLE, **FOAM_RATES, **ORTHOTROPIC, **FABRIC, **ROLLED, **RUBBER, **CYCLIC, **VOIDS}
+LINES = {"SPRING_ELASTIC": 1, "DAMPER_VISCOUS": 1, "SPRING_NONLINEAR_ELASTIC": 1, "ELASTIC": 1, "PLASTIC_KINEMATIC": 2,
+         "RIGID": 3, "NULL": 1, "ORTHOTROPIC_ELASTIC": 4, "COMPOSITE_DAMAGE": 5, "PIECEWISE_LINEAR_PLASTICITY": 4,
+         "VISCOELASTIC": 1, "HILL_3R": 5, "TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC": 1, COHESIVE_LAW: 2}
+LAWS: dict[str, Callable[[KeywordDeck, Card, Use], Deck | None]] = {
+    **ELASTIC, **METALS, **JOHNSON, **CRUSHABLE, **FOAM_RATES, **ORTHOTROPIC, **FABRIC, **ROLLED, **RUBBER, **CYCLIC,
+    **VOIDS}
 
 
 def read_material(deck: KeywordDeck, card: Card) -> None:
@@ -74,14 +78,16 @@ def read_material(deck: KeywordDeck, card: Card) -> None:
 
 
 def refuse_additions(deck: KeywordDeck) -> None:
-    """Cards that add to a material of their id: percuss has those of *MAT_ADD_EROSION, *MAT_ADD_DAMAGE_GISSMO and *MAT_ADD_DAMAGE_DIEM."""
+    """Cards that add to a material of their id: percuss has those of *MAT_ADD_EROSION,
+    *MAT_ADD_DAMAGE_GISSMO and *MAT_ADD_DAMAGE_DIEM."""
     for card in deck.additions:
         reader = card.reader()
         if card.has_title:
             reader.take()
         id = reader.row("MID").integer("MID")
         if ("material", id) in deck.used:
-            deck.ledger.refuse(card.keyword, card.place, f"what it adds to material {id}", "the material is that of its own card alone")
+            deck.ledger.refuse(card.keyword, card.place, f"what it adds to material {id}",
+                               "the material is that of its own card alone")
         else:
             deck.ledger.ignored(card.keyword, card.place, f"no element is of material {id}")
     for id, card in [*deck.erosions.items(), *deck.gissmos.items(), *deck.diems.items()]:
@@ -141,7 +147,8 @@ def build_materials(deck: KeywordDeck) -> None:
 
 def lay_up(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str, Deck] | None":
     """The material of a part with plies, which get theirs."""
-    made = {layer.material: make_material(deck, replace(part, material=int(layer.material)), block) for layer in block.layers}
+    made = {layer.material: make_material(deck, replace(part, material=int(layer.material)), block)
+            for layer in block.layers}
     laws = {id: found for id, found in made.items() if found}
     if len(laws) < len(made):
         return None
@@ -172,7 +179,8 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
     if card is None:
         raise BadInput(part.place, missing(f"material {part.material}, of part {part.id}"))
     deck.used.add(("material", part.material))
-    use = Use(bool(block.shells), find_state(deck, part), part.place, len(block.layers) or block.keys.get("points", 1), bool(block.beams))
+    use = Use(bool(block.shells), find_state(deck, part), part.place, len(block.layers) or block.keys.get("points", 1),
+              bool(block.beams))
     use.is_corotational = bool(block.solids) and read_form(deck, part) in (0, *COROTATIONAL)
     use.density = card.row(card.lines[0], "MID RO").number("RO")
     use.shells, use.solids, use.angles, use.has_systems = block.shells, block.solids, block.angles, block.has_systems
@@ -184,19 +192,24 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
     elif law_name in LAWS:
         law = translate(deck, card, use, LAWS[law_name])
     else:
-        deck.ledger.refuse(card.keyword, card.place, f"this material law{suggest(card.keyword, [f'MAT_{name}' for name in (*LAWS, *SPRINGS.values())])}", "the parts made of it are left out")
+        deck.ledger.refuse(
+            card.keyword, card.place,
+            f"this material law{suggest(card.keyword, [f'MAT_{name}' for name in (*LAWS, *SPRINGS.values())])}",
+            "the parts made of it are left out")
         return None
     if law is None or not may_be_used(deck, card, law, use, block):
         return None
     if use.state and not use.has_used_state and "equation_of_state" not in law:
-        deck.ledger.refuse(f"{card.keyword}.EOSID", part.place, "an equation of state with this law", "the law alone is used")
+        deck.ledger.refuse(f"{card.keyword}.EOSID", part.place,
+                           "an equation of state with this law", "the law alone is used")
     deck.turns[part.material, block.id] = use.turn
     add_erosion(deck, part.material, law, use)
     add_gissmo(deck, part.material, law, use)
     add_diem(deck, part.material, law, use)
     invert_when_asked(deck, part, law, use)
     if law["model"] == "skin" and law.pop("failure", None):
-        deck.ledger.refuse(f"{card.keyword}.failure", use.place, "shells without strength that fail (percuss keeps a skin)", "they stay")
+        deck.ledger.refuse(f"{card.keyword}.failure", use.place,
+                           "shells without strength that fail (percuss keeps a skin)", "they stay")
     if use.is_beam and "failure" in law:
         keep_limits_of_beams(deck, card, law, use)
     law["density"] += block.more_density
@@ -230,7 +243,8 @@ def law_name_is_rigid(deck: KeywordDeck, part: PartCard) -> bool:
     return name_law(deck.materials[part.material].keyword) == "RIGID"
 
 
-def translate(deck: KeywordDeck, card: Card, use: Use, law: Callable[[KeywordDeck, Card, Use], Deck | None]) -> Deck | None:
+def translate(deck: KeywordDeck, card: Card, use: Use,
+              law: Callable[[KeywordDeck, Card, Use], Deck | None]) -> Deck | None:
     """Numbers that are finite alone may have no finite quotient or power."""
     try:
         return law(deck, card, use)
@@ -245,7 +259,8 @@ def keep_limits_of_beams(deck: KeywordDeck, card: Card, law: Deck, use: Use) -> 
     if kept.keys() - {"layers"}:
         law["failure"] = kept
     if limits.keys() - kept.keys():
-        deck.ledger.refuse(f"{card.keyword}.beams", use.place, "beams that fail by stress, a largest strain or their step", "they do not")
+        deck.ledger.refuse(f"{card.keyword}.beams", use.place,
+                           "beams that fail by stress, a largest strain or their step", "they do not")
 
 
 def may_be_used(deck: KeywordDeck, card: Card, law: Deck, use: Use, block: Block) -> bool:
@@ -271,7 +286,8 @@ def may_be_of_beams(deck: KeywordDeck, card: Card, law: Deck, use: Use) -> bool:
     """Whether beams take the law; without what they do not have, where that is allowed."""
     if not laws.takes_beams(law):
         deck.ledger.refuse(
-            f"{card.keyword}.beams", use.place, f"beams of the material model {law['model']}", "the parts made of it are left out"
+            f"{card.keyword}.beams", use.place, f"beams of the material model {law['model']}",
+            "the parts made of it are left out"
         )
         return False
     return True

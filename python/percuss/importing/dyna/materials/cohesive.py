@@ -19,7 +19,8 @@ def bond_solids(deck: KeywordDeck, part: PartCard, block: Block) -> None:
         raise BadInput(part.place, missing(f"material {part.material}, of part {part.id}"))
     deck.used.add(("material", part.material))
     if name_law(card.keyword) != LAW:
-        deck.ledger.refuse("SECTION_SOLID.ELFORM", part.place, f"cohesive elements of *{card.keyword} (MAT_138 is read)", LEFT_OUT)
+        deck.ledger.refuse("SECTION_SOLID.ELFORM", part.place,
+                           f"cohesive elements of *{card.keyword} (MAT_138 is read)", LEFT_OUT)
         return
     law = read_law(deck, card)
     if law and add_layer(deck.model, deck.ledger, make_layer(deck.model, block.name, block.solids, law, part.place)):
@@ -37,7 +38,8 @@ def read_law(deck: KeywordDeck, card: Card) -> Deck:
         return {}
     row.skip("MID", "RO", "ROFLG")
     if row.number("INTFAIL") != 1:
-        deck.ledger.approximated(f"{card.keyword}.INTFAIL", row.place, "each node of the layer lets go when its own energy is spent")
+        deck.ledger.approximated(f"{card.keyword}.INTFAIL", row.place,
+                                 "each node of the layer lets go when its own energy is spent")
     power = more.number("XMU")
     law: Deck = {"normal_stiffness": row.number("EN"), "shear_stiffness": row.number("ET")}
     for of, strength, end, energy in (("normal", "T", "UND", "GIC"), ("shear", "S", "UTD", "GIIC")):
@@ -65,7 +67,8 @@ def find_fault(row: Row, more: Row) -> str:
         if more.number(strength) == 0 and more.number(end) <= 0:
             more.fail(strength, f"a strength is expected, or {end}")
     if more.number("XMU") == 0:
-        more.fail("XMU", "the exponent of the mix is expected: above 0 of the power law, below 0 of Benzeggagh and Kenane")
+        more.fail("XMU",
+                  "the exponent of the mix is expected: above 0 of the power law, below 0 of Benzeggagh and Kenane")
     if more.number("XMU") < 0 and more.number("GAMMA") not in (0, 1):
         return f"GAMMA = {more.number('GAMMA'):g}: another effective stiffness of mixes"
     return ""

@@ -36,7 +36,8 @@ def soil_and_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
         law |= {"a0": 0.0, "a1": (3 * a2) ** 0.5}
     else:
         deck.ledger.refuse(
-            f"{card.keyword}.A1", row.place, "J2 = A0 + A1 p + A2 p^2 with several terms", "the parts made of it are left out"
+            f"{card.keyword}.A1", row.place, "J2 = A0 + A1 p + A2 p^2 with several terms",
+            "the parts made of it are left out"
         )
         return None
     law["tension_limit"] = max(-row.number("PC"), 0.0)
@@ -66,21 +67,25 @@ def make_compaction(deck: KeywordDeck, card: Card, row: Row, points: Points) -> 
         row.fail("BULK", "a curve of pressure is expected below it")
     rows, error = thin_rows(points)
     if error > 1e-12:
-        deck.ledger.approximated(f"{card.keyword}.curve", row.place, f"the curve has {len(rows)} rows, within {error:.2g}")
+        deck.ledger.approximated(f"{card.keyword}.curve", row.place,
+                                 f"the curve has {len(rows)} rows, within {error:.2g}")
     return [list(point) for point in rows]
 
 
 def low_density_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     reader = card.reader()
-    row, more = reader.row("MID RO E LCID TC=1e20 HU=1 BETA DAMP"), reader.row("SHAPE=1 FAIL BVFLAG~default ED BETA1 KCON~penalty REF~absent")
+    row, more = (reader.row("MID RO E LCID TC=1e20 HU=1 BETA DAMP"),
+                 reader.row("SHAPE=1 FAIL BVFLAG~default ED BETA1 KCON~penalty REF~absent"))
     row.skip("MID")
-    points = [point for point in order_points(deck.material_curve(row.integer("LCID"), row.place, "none", "stress")) if point[0] > 0]
+    points = [point for point in order_points(deck.material_curve(row.integer("LCID"), row.place, "none", "stress"))
+              if point[0] > 0]
     if not points:
         row.fail("LCID", "a curve over strains above 0 is expected")
     points = [(0.0, 0.0), *points]
     rows, error = thin_rows(points)
     if error > 1e-12:
-        deck.ledger.approximated(f"{card.keyword}.curve", row.place, f"the curve has {len(rows)} rows, within {error:.2g}")
+        deck.ledger.approximated(f"{card.keyword}.curve", row.place,
+                                 f"the curve has {len(rows)} rows, within {error:.2g}")
     law: Deck = {
         "model": "low_density_foam",
         "density": row.positive("RO"),
@@ -102,12 +107,14 @@ def low_density_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
 
 def limit_foam(deck: KeywordDeck, card: Card, row: Row, more: Row, law: Deck) -> None:
     """TC limits the tensile stress, in the law with rates, whose one curve is for all; FAIL says what is left."""
-    law |= {"model": "rate_table_foam", "compression_at_rates": [[0.0, law.pop("compression")]], "tension_cutoff": row.number("TC")}
+    law |= {"model": "rate_table_foam", "compression_at_rates": [[0.0, law.pop("compression")]],
+            "tension_cutoff": row.number("TC")}
     fails = more.integer("FAIL")
     if fails == 1:
         law["after_cutoff"] = "none"
     elif fails:
-        deck.ledger.refuse(f"{card.keyword}.FAIL", more.place, f"FAIL = {fails}: elements that erode at TC", "the tensile stress stays at TC")
+        deck.ledger.refuse(f"{card.keyword}.FAIL", more.place, f"FAIL = {fails}: elements that erode at TC",
+                           "the tensile stress stays at TC")
 
 
 def crushable_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
@@ -115,14 +122,16 @@ def crushable_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     row = card.reader().row("MID RO E PR LCID TSC DAMP")
     row.skip("MID")
     youngs = row.positive("E")
-    points = [(x, y) for x, y in order_points(deck.material_curve(row.integer("LCID"), row.place, "none", "stress")) if y > 0 and x >= 0]
+    points = [(x, y) for x, y in order_points(deck.material_curve(row.integer("LCID"), row.place, "none", "stress"))
+              if y > 0 and x >= 0]
     if not points:
         row.fail("LCID", "a curve with stresses above 0 is expected")
     rows = [list(point) for point in thin_rows(points)[0]]
     deck.ledger.approximated(
         card.keyword,
         row.place,
-        "a honeycomb with the same curve in all directions, compacted at the end of the curve; pulled back it is elastic up to TSC",
+        "a honeycomb with the same curve in all directions, compacted at the end of the curve; "
+        "pulled back it is elastic up to TSC",
     )
     crush = {f"crush_{name}": rows for name in ("xx", "yy", "zz", "xy", "yz", "zx")}
     law = {"model": "honeycomb", "density": row.positive("RO"), "youngs_modulus": youngs, "poissons_ratio": 0.0,
@@ -135,13 +144,17 @@ def crushable_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
 
 
 def honeycomb(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
-    """*MAT_HONEYCOMB and _MODIFIED_HONEYCOMB: six curves over the crush or the strain; the axes of percuss are those of space."""
+    """*MAT_HONEYCOMB and _MODIFIED_HONEYCOMB: six curves over the crush or the strain;
+    the axes of percuss are those of space."""
     reader = card.reader()
     row, curves = reader.row("MID RO E PR SIGY VF MU BULK~default"), reader.row("LCA LCB LCC LCS LCAB LCBC LCCA LCSR")
-    moduli, axes, plane = reader.row("EAAU EBBU ECCU GABU GBCU GCAU AOPT MACF=1"), reader.row("XP YP ZP A1 A2 A3 RFAC~unused PRU"), reader.row("D1 D2 D3 TSEF SSEF VREF TREF SHDFLG~unused")
+    moduli, axes, plane = (reader.row("EAAU EBBU ECCU GABU GBCU GCAU AOPT MACF=1"),
+                           reader.row("XP YP ZP A1 A2 A3 RFAC~unused PRU"),
+                           reader.row("D1 D2 D3 TSEF SSEF VREF TREF SHDFLG~unused"))
     row.skip("MID")
     first, second, third, shear = (curves.integer(name) for name in ("LCA", "LCB", "LCC", "LCS"))
-    ids = [first, second or first, third or first, *(curves.integer(name) or shear or first for name in ("LCAB", "LCBC", "LCCA"))]
+    ids = [first, second or first, third or first,
+           *(curves.integer(name) or shear or first for name in ("LCAB", "LCBC", "LCCA"))]
     is_along = axes.numbers("A1", "A2", "A3") == [1, 0, 0] and plane.numbers("D1", "D2", "D3") == [0, 1, 0]
     if moduli.number("AOPT") != 2 or not is_along or any(id in deck.solid_axes for id, _ in use.solids):
         deck.ledger.refuse(
@@ -154,26 +167,31 @@ def honeycomb(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
         "poissons_ratio": row.number("PR"),
     }
     law |= {"yield_stress": row.positive("SIGY"), "compacted_volume": row.positive("VF")}
-    law |= {"crush_moduli": moduli.numbers("EAAU", "EBBU", "ECCU"), "shear_moduli": moduli.numbers("GABU", "GBCU", "GCAU")}
+    law |= {"crush_moduli": moduli.numbers("EAAU", "EBBU", "ECCU"),
+            "shear_moduli": moduli.numbers("GABU", "GBCU", "GCAU")}
     read = read_strains if card.keyword == "MAT_MODIFIED_HONEYCOMB" else read_crush
     for name, id in zip(("xx", "yy", "zz", "xy", "yz", "zx"), ids):
         law[f"crush_{name}"] = read(deck, card, curves, id, use, name)
     note_viscosity(deck, row, "MU")
-    for found, instead in ((row, ""), (curves, "the strength does not depend on it"), (moduli, ""), (axes, ""), (plane, "nothing fails")):
+    for found, instead in ((row, ""), (curves, "the strength does not depend on it"), (moduli, ""), (axes, ""),
+                           (plane, "nothing fails")):
         found.finish(deck.ledger, instead or "it is left out")
     finish_lines(deck, card, reader)
     return law
 
 
 def read_strains(deck: KeywordDeck, card: Card, row: Row, id: int, use: Use, name: str) -> list[list[float]]:
-    """Strength of *MAT_126 over the strain of its own direction, positive in compression: engineering strains where the element is
-    corotational, else logarithms. Where one direction crushes alone, its strain gives the crush 1 - V; a shear strain does not."""
+    """Strength of *MAT_126 over the strain of its own direction, positive in compression: engineering strains where the
+    element is corotational, else logarithms. Where one direction crushes alone, its strain gives the crush 1 - V;
+    a shear strain does not."""
     if id < 0:
-        deck.ledger.refuse(f"{card.keyword}.angle", row.place, "curves below 0: strength by the angle off the axis", "the curve of that id is used over the strain")
+        deck.ledger.refuse(f"{card.keyword}.angle", row.place, "curves below 0: strength by the angle off the axis",
+                           "the curve of that id is used over the strain")
     points = order_points(deck.material_curve(abs(id), row.place, "none", "stress"))
     if name in ("xy", "yz", "zx"):
         if len({y for _, y in points}) > 1:
-            deck.ledger.refuse(f"{card.keyword}.LCS", row.place, "a shear strength that changes with the shear strain", "it changes with the crush")
+            deck.ledger.refuse(f"{card.keyword}.LCS", row.place, "a shear strength that changes with the shear strain",
+                               "it changes with the crush")
     else:
         text = "the strain of a direction is taken as the crush 1 - V: right where one direction crushes at a time"
         deck.ledger.approximated(f"{card.keyword}.LCA", row.place, text)
@@ -184,7 +202,8 @@ def read_strains(deck: KeywordDeck, card: Card, row: Row, id: int, use: Use, nam
 
 def refine(points: Points) -> Points:
     """More rows on the same lines."""
-    between = [(a[0] + i / LINE * (b[0] - a[0]), a[1] + i / LINE * (b[1] - a[1])) for a, b in zip(points, points[1:]) for i in range(LINE)]
+    between = [(a[0] + i / LINE * (b[0] - a[0]), a[1] + i / LINE * (b[1] - a[1])) for a, b in zip(points, points[1:])
+               for i in range(LINE)]
     return [*between, points[-1]]
 
 
@@ -203,7 +222,8 @@ def make_crush(deck: KeywordDeck, card: Card, row: Row, id: int, points: Points)
         raise BadInput(row.place, f"curve {id} has no strength above 0: correct its rows")
     rows, error = thin_rows(points)
     if error > 1e-12:
-        deck.ledger.approximated(f"{card.keyword}.curve", row.place, f"the curve has {len(rows)} rows, within {error:.2g}")
+        deck.ledger.approximated(f"{card.keyword}.curve", row.place,
+                                 f"the curve has {len(rows)} rows, within {error:.2g}")
     return [list(point) for point in rows]
 
 

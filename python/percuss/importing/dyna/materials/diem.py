@@ -1,4 +1,5 @@
-"""DIEM: *MAT_ADD_DAMAGE_DIEM. Starts of damage by the stress state, each with a displacement or an energy over which the stress falls."""
+"""DIEM: *MAT_ADD_DAMAGE_DIEM.
+Starts of damage by the stress state, each with a displacement or an energy over which the stress falls."""
 
 from ... import laws
 from ...fields import Row
@@ -27,7 +28,8 @@ def add_diem(deck: KeywordDeck, material: int, law: Deck, use: Use) -> None:
         reader.take()
     row = reader.row("MID NDIEMC DINIT DEPS~ NUMFIP=1")
     row.skip("MID")
-    pairs = [(reader.row("DITYP P1 P2"), reader.row("DETYP DCTYP Q1")) for _ in range(min(row.integer("NDIEMC"), MOST_CRITERIA))]
+    pairs = [(reader.row("DITYP P1 P2"), reader.row("DETYP DCTYP Q1"))
+             for _ in range(min(row.integer("NDIEMC"), MOST_CRITERIA))]
     failure = read_criteria(deck, card, pairs, find_obstacle(law, use))
     if failure:
         law["failure"] = {**law.get("failure", {}), **failure}
@@ -72,7 +74,8 @@ def read_criteria(deck: KeywordDeck, card: Card, pairs: list[tuple[Row, Row]], o
             failure[key] = rows if kind == DUCTILE else {"strain": rows, "pressure_factor": start.number("P2")}
     ends = [read_evolution(end) for _, end in coupled]
     if not obstacle and (None in ends or any(end != ends[0] for end in ends)):
-        obstacle = "several criteria whose damages grow differently, or damage that grows by a table or by another quantity"
+        obstacle = ("several criteria whose damages grow differently, "
+                    "or damage that grows by a table or by another quantity")
     if not obstacle and len(coupled) > 1 and any(end.number("DCTYP") != LARGEST for _, end in coupled):
         obstacle = "several damages that multiply"
     if obstacle or not coupled:
@@ -81,7 +84,8 @@ def read_criteria(deck: KeywordDeck, card: Card, pairs: list[tuple[Row, Row]], o
     if ends[0]:
         failure["evolution"] = ends[0]
     if "energy" in (ends[0] or {}):
-        deck.ledger.approximated(card.keyword, card.place, "failure.evolution: the energy by the stress of each moment, where LS-DYNA takes that at the start of damage")
+        deck.ledger.approximated(card.keyword, card.place, "failure.evolution: the energy by the stress of each "
+                                                           "moment, where LS-DYNA takes that at the start of damage")
     return failure
 
 
@@ -93,4 +97,5 @@ def read_evolution(row: Row) -> Deck | None:
     if value == 0:
         return {}
     dimension = "length" if kind == BY_DISPLACEMENT else "stiffness"
-    return {"displacement" if kind == BY_DISPLACEMENT else "energy": value * scale(dimension, row.change.factors if row.change else SAME)}
+    return {"displacement" if kind == BY_DISPLACEMENT
+            else "energy": value * scale(dimension, row.change.factors if row.change else SAME)}

@@ -32,7 +32,8 @@ def elastic_fluid(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     if bulk <= 0:
         row.fail("K", "must be positive")
     row.skip("E", "PR")
-    law: Deck = {"model": "fluid", "density": row.positive("RO"), "equation_of_state": {"kind": "linear", "bulk_modulus": bulk}}
+    law: Deck = {"model": "fluid", "density": row.positive("RO"),
+                 "equation_of_state": {"kind": "linear", "bulk_modulus": bulk}}
     if more.number("CP") < bulk:
         law["equation_of_state"]["least_pressure"] = -max(more.number("CP"), 0.0)
     row.finish(deck.ledger)
@@ -102,7 +103,8 @@ def viscoelastic(deck: KeywordDeck, card: Card, use: Use) -> Deck:
 def blatz_ko(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     row = card.reader().row("MID RO G REF~absent")
     row.skip("MID")
-    deck.ledger.approximated(card.keyword, card.place, "neo-Hookean rubber with the same shear modulus and Poisson's ratio 0.463")
+    deck.ledger.approximated(card.keyword, card.place,
+                             "neo-Hookean rubber with the same shear modulus and Poisson's ratio 0.463")
     law = {
         "model": "neo_hookean",
         "density": row.positive("RO"),
@@ -141,7 +143,8 @@ def arruda_boyce(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     row, more = reader.row("MID RO K G N"), reader.row("LCID TRAMP~unused NT")
     row.skip("MID")
     if more.integer("LCID") or more.integer("NT"):
-        deck.ledger.refuse(f"{card.keyword}.LCID", card.place, "a rubber chain that relaxes", "the parts made of it are left out")
+        deck.ledger.refuse(f"{card.keyword}.LCID", card.place, "a rubber chain that relaxes",
+                           "the parts made of it are left out")
         return None
     links = row.positive("N")
     if links <= 1:
@@ -164,7 +167,8 @@ def find_detonations(deck: KeywordDeck, material: int) -> list[Vector]:
     points = []
     for part, point, place in deck.detonations:
         if part in parts and len(parts) > 1:
-            deck.ledger.refuse("INITIAL_DETONATION.PID", place, "a point of one of several parts of an explosive", "all of them detonate from it")
+            deck.ledger.refuse("INITIAL_DETONATION.PID", place, "a point of one of several parts of an explosive",
+                               "all of them detonate from it")
         if part == 0 or part in parts:
             points.append(point)
     return points
@@ -175,9 +179,11 @@ def explosive(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     row = card.reader().row("MID RO D PCJ BETA K G SIGY")
     row.skip("MID", "PCJ")
     if row.number("BETA") == 0:
-        deck.ledger.approximated(f"{card.keyword}.BETA", row.place, "programmed burn alone: compression does not ignite")
+        deck.ledger.approximated(f"{card.keyword}.BETA", row.place,
+                                 "programmed burn alone: compression does not ignite")
     elif row.number("BETA") == 1:
-        deck.ledger.refuse(f"{card.keyword}.BETA", row.place, "BETA: burning by compression alone", "it burns from the point of detonation")
+        deck.ledger.refuse(f"{card.keyword}.BETA", row.place, "BETA: burning by compression alone",
+                           "it burns from the point of detonation")
     points = find_detonations(deck, row.integer("MID"))
     if len(points) != 1:
         deck.ledger.refuse(
@@ -200,6 +206,6 @@ def explosive(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
 
 
 ELASTIC = {
-    "ELASTIC": elastic, "ELASTIC_FLUID": elastic_fluid, "NULL": null, "VISCOELASTIC": viscoelastic, "BLATZ-KO_RUBBER": blatz_ko,
-    "MOONEY-RIVLIN_RUBBER": mooney_rivlin, "ARRUDA_BOYCE": arruda_boyce, "HIGH_EXPLOSIVE_BURN": explosive,
+    "ELASTIC": elastic, "ELASTIC_FLUID": elastic_fluid, "NULL": null, "VISCOELASTIC": viscoelastic, "BLATZ-KO_RUBBER":
+    blatz_ko, "MOONEY-RIVLIN_RUBBER": mooney_rivlin, "ARRUDA_BOYCE": arruda_boyce, "HIGH_EXPLOSIVE_BURN": explosive,
 }  # fmt: skip

@@ -41,7 +41,8 @@ def fu_chang_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     note_viscosity(deck, row, "DAMP")
     for name in ("MINR", "MAXR"):
         if shape.number(name):
-            deck.ledger.ignored(f"{card.keyword}.{name}", shape.place, "MINR and MAXR: the stress is constant outside the rates of the table")
+            deck.ledger.ignored(f"{card.keyword}.{name}", shape.place,
+                                "MINR and MAXR: the stress is constant outside the rates of the table")
     for found, instead in ((row, ""), (more, "it does not act"), (shape, ""), (release, "")):
         found.finish(deck.ledger, instead or "it is left out")
     finish_lines(deck, card, reader)
@@ -90,11 +91,13 @@ def read_cutoff(deck: KeywordDeck, card: Card, row: Row, law: Deck, pulls: bool)
     if not 0 < limit < NEVER:
         return
     if fails not in (0, 1):
-        deck.ledger.refuse(f"{card.keyword}.FAIL", row.place, f"FAIL = {fails}: elements that erode at TC", "the tensile stress stays at TC")
+        deck.ledger.refuse(f"{card.keyword}.FAIL", row.place, f"FAIL = {fails}: elements that erode at TC",
+                           "the tensile stress stays at TC")
         fails = 0
     if pulls:
         if fails or limit < max(-y for _, rows in law["compression_at_rates"] for _, y in rows):
-            deck.ledger.refuse(f"{card.keyword}.TC", row.place, "TC beside curves with tension (TFLAG 1)", "there is no limit")
+            deck.ledger.refuse(f"{card.keyword}.TC", row.place,
+                               "TC beside curves with tension (TFLAG 1)", "there is no limit")
         return
     law["tension_cutoff"] = limit
     if fails:
@@ -106,7 +109,8 @@ def list_curves(deck: KeywordDeck, row: Row, id: int, pulls: bool) -> tuple[Curv
     table = deck.tables.get(id) or [(0.0, id)]
     is_log, unit = table[0][0] < 0, scale("rate", deck.units_of_tables.get(id, SAME))
     curves = sorted(
-        (unit * (math.exp(min(value, 700.0)) if is_log else value), read_curve(deck, row, curve, pulls)) for value, curve in table
+        (unit * (math.exp(min(value, 700.0)) if is_log else value), read_curve(deck, row, curve, pulls))
+        for value, curve in table
     )
     for (low, _), (high, _) in zip(curves, curves[1:]):
         if low == high:
@@ -122,7 +126,8 @@ def read_curve(deck: KeywordDeck, row: Row, id: int, pulls: bool) -> Points:
     points = order_points(deck.material_curve(id, row.place, "none", "stress"))
     down, up = [p for p in points if p[0] < 0] if pulls else [], [p for p in points if p[0] > 0]
     if not up or (pulls and not down):
-        raise BadInput(row.place, f"curve {id} has no strain above 0 (compression){' or none below it (tension)' if pulls else ''}: complete it")
+        raise BadInput(row.place, f"curve {id} has no strain above 0 "
+                                  f"(compression){' or none below it (tension)' if pulls else ''}: complete it")
     if min(y for _, y in up) < 0 or max((y for _, y in down), default=0.0) > 0:
         raise BadInput(row.place, f"a stress of curve {id} has not the sign of its strain: correct its rows")
     return [*down, (0.0, 0.0), *up]
@@ -136,15 +141,18 @@ def raise_falls(deck: KeywordDeck, row: Row, points: Points) -> Points:
         rows.append((x, highest))
     if rows != points:
         change = max(abs(a[1] - b[1]) for a, b in zip(rows, points)) / max(abs(y) for _, y in points)
-        deck.ledger.approximated(f"{row.card}.curve", row.place, f"where the curve of the lowest rate falls it is level, within {change:.2g} of the largest stress")
+        deck.ledger.approximated(f"{row.card}.curve", row.place, "where the curve of the lowest rate falls it is "
+                                                                 f"level, within {change:.2g} of the largest stress")
     return rows
 
 
-def thin(deck: KeywordDeck, card: Card, row: Row, curves: Curves, is_log: bool) -> list[list[float | list[list[float]]]]:
+def thin(deck: KeywordDeck, card: Card, row: Row, curves: Curves,
+         is_log: bool) -> list[list[float | list[list[float]]]]:
     """At most so many rates and rows as percuss takes; [0, 0] stays."""
     if curves[0][1][0][0] < 0:
         if len(curves) > MOST_RATES:
-            raise BadInput(row.place, f"the table has {len(curves)} rates with rows of tension (percuss takes {MOST_RATES}): remove some")
+            raise BadInput(row.place, f"the table has {len(curves)} rates with rows of tension "
+                                      f"(percuss takes {MOST_RATES}): remove some")
         side, error = MOST_ROWS // len(curves) // 2, 0.0
         kept = []
         for rate, points in curves:
@@ -156,7 +164,8 @@ def thin(deck: KeywordDeck, card: Card, row: Row, curves: Curves, is_log: bool) 
         kept, error = thin_curves(curves, is_log)
     if error > 1e-12:
         count = sum(len(rows) for _, rows in kept)
-        deck.ledger.approximated(f"{card.keyword}.table", row.place, f"curves become {len(kept)} with {count} rows in all, within {error:.2g} of the largest stress")
+        deck.ledger.approximated(f"{card.keyword}.table", row.place, f"curves become {len(kept)} with {count} rows in "
+                                                                     f"all, within {error:.2g} of the largest stress")
     return [[rate, [list(point) for point in rows]] for rate, rows in kept]
 
 

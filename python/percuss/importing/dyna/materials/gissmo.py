@@ -1,4 +1,5 @@
-"""GISSMO: *MAT_ADD_DAMAGE_GISSMO, and *MAT_ADD_EROSION with IDAM of 1. Failure strains over the triaxiality, and stress that falls before."""
+"""GISSMO: *MAT_ADD_DAMAGE_GISSMO, and *MAT_ADD_EROSION with IDAM of 1.
+Failure strains over the triaxiality, and stress that falls before."""
 
 from ... import laws
 from ...curves import thin_rows
@@ -28,7 +29,8 @@ def add_gissmo(deck: KeywordDeck, material: int, law: Deck, use: Use) -> None:
         deck.ledger.ignored(card.keyword, card.place, "DTYP of 0: the damage is output alone")
         return
     if row.number("DTYP") != 1:
-        deck.ledger.refuse(f"{card.keyword}.DTYP", row.place, "damage by another quantity than the plastic strain", "it is left out")
+        deck.ledger.refuse(f"{card.keyword}.DTYP", row.place,
+                           "damage by another quantity than the plastic strain", "it is left out")
         return
     if add_failure_strains(deck, law, damage, use):
         add_rates(deck, law, more)
@@ -48,7 +50,8 @@ def add_idam(deck: KeywordDeck, law: Deck, reader: Lines, use: Use) -> None:
     kind = row.number("IDAM")
     if kind and (kind != 1 or row.number("DMGTYP") != 1):
         row.skip("DMGTYP", *(field.partition("=")[0] for field in FIELDS.split()))
-        deck.ledger.refuse("MAT_ADD_EROSION.IDAM", row.place, "damage other than GISSMO (IDAM of 1) that ends in failure (DMGTYP of 1)", "it is left out")
+        deck.ledger.refuse("MAT_ADD_EROSION.IDAM", row.place,
+                           "damage other than GISSMO (IDAM of 1) that ends in failure (DMGTYP of 1)", "it is left out")
         return
     has_damage = bool(kind) and add_failure_strains(deck, law, row, use)
     row.finish(deck.ledger)
@@ -111,7 +114,8 @@ def add_rates(deck: KeywordDeck, law: Deck, row: Row) -> None:
     if not number:
         return
     if number < 0 and law["failure"].get("coupling", {}).get("strain"):
-        deck.ledger.refuse(f"{row.card}.LCSRS", row.place, "factors of a rate that ECRIT does not have", "there are none")
+        deck.ledger.refuse(f"{row.card}.LCSRS", row.place,
+                           "factors of a rate that ECRIT does not have", "there are none")
         return
     rows = make_rows(deck, row, "LCSRS", "rate")
     if rows[0][0] < 0:
@@ -132,5 +136,6 @@ def make_rows(deck: KeywordDeck, row: Row, name: str, across: str = "none") -> l
         raise BadInput(row.place, f"{name} of *{row.card} is a curve with a value that is not positive: correct it")
     rows, error = thin_rows(points)
     if error > 0:
-        deck.ledger.approximated(f"{row.card}.{name}", row.place, f"a curve of {len(points)} rows by {len(rows)}, within {100 * error:.2g} %")
+        deck.ledger.approximated(f"{row.card}.{name}", row.place,
+                                 f"a curve of {len(points)} rows by {len(rows)}, within {100 * error:.2g} %")
     return [list(point) for point in rows]

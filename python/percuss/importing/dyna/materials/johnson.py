@@ -26,7 +26,8 @@ def johnson_cook(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     reader = card.reader()
     row, flow = reader.row("MID RO G E PR DTF VP RATEOP"), reader.row("A B N C M TM TR EPSO=1")
     # SPALL says what happens at PC; IT, how the return is iterated.
-    heat, last = reader.row("CP PC SPALL~unused IT~solids D1 D2 D3 D4"), reader.row("D5 C2 EROD EFMIN=1e-6 NUMINT K EPS1 DMODEL")
+    heat, last = (reader.row("CP PC SPALL~unused IT~solids D1 D2 D3 D4"),
+                  reader.row("D5 C2 EROD EFMIN=1e-6 NUMINT K EPS1 DMODEL"))
     row.skip("MID")
     law: Deck = {"model": "johnson_cook", "density": row.positive("RO")}
     if use.is_shell:
@@ -46,7 +47,8 @@ def johnson_cook(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     law |= read_flow(flow)
     if not use.is_shell and law["start_temperature"] < COLD:  # compression heats from there
         law["absolute_zero"] = law["start_temperature"] - 293.15 if law["start_temperature"] == 0 else -273.15
-        deck.ledger.approximated(f"{card.keyword}.TR", flow.place, "temperatures are taken as degrees Celsius; of 0 as room temperature")
+        deck.ledger.approximated(f"{card.keyword}.TR", flow.place,
+                                 "temperatures are taken as degrees Celsius; of 0 as room temperature")
     law |= {"specific_heat": heat.number("CP") or NEVER, "heating_share": 1.0}
     limit_tension(deck, heat, law, find_bulk_modulus(law), stays=heat.integer("SPALL") == 1)
     read_damage(deck, card, law, heat, last, flow.number("EPSO") or 1.0)
@@ -97,9 +99,11 @@ def read_damage(deck: KeywordDeck, card: Card, law: Deck, heat: Row, last: Row, 
     if d2 == d4 == d5 == 0:  # one failure strain
         d1 = max(d1, least)
     elif least > max(d1, SMALL):  # which the formula may fall below
-        deck.ledger.refuse(f"{card.keyword}.EFMIN", last.place, f"EFMIN: a lower limit of the failure strain of {least:g}", "there is no limit")
+        deck.ledger.refuse(f"{card.keyword}.EFMIN", last.place,
+                           f"EFMIN: a lower limit of the failure strain of {least:g}", "there is no limit")
     if keeps:
-        deck.ledger.refuse(f"{card.keyword}.EROD", last.place, "failed elements that are not eroded", "failed elements are eroded")
+        deck.ledger.refuse(f"{card.keyword}.EROD", last.place, "failed elements that are not eroded",
+                           "failed elements are eroded")
     if d3 < 0:
         deck.ledger.refuse(
             f"{card.keyword}.D3",

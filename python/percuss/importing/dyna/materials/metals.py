@@ -65,8 +65,8 @@ def plastic_kinematic(deck: KeywordDeck, card: Card, use: Use) -> Deck:
 
 
 def list_curves(deck: KeywordDeck, more: Row, id: int) -> tuple[Curves, bool]:
-    """The curves of a table, which go on with their last slope. Rates are logarithms where the first is negative: then, and
-    with _LOG_INTERPOLATION, stresses are straight over the logarithm of the rate.
+    """The curves of a table, which go on with their last slope. Rates are logarithms where the first is negative: then,
+    and with _LOG_INTERPOLATION, stresses are straight over the logarithm of the rate.
     """
     rows = deck.tables[id]
     is_log, unit = rows[0][0] < 0, scale("rate", deck.units_of_tables.get(id, SAME))
@@ -83,14 +83,17 @@ def add_table(deck: KeywordDeck, card: Card, more: Row, law: Deck, id: int) -> N
     """LCSS is a table of curves; C, P, LCSR, EPS and ES then count no more."""
     curves, is_log = list_curves(deck, more, id)
     if any(more.number(name) for name in ("C", "P", "LCSR")):
-        deck.ledger.ignored(f"{card.keyword}.C", more.place, "C, P and LCSR beside a table of rates: the table counts alone")
+        deck.ledger.ignored(f"{card.keyword}.C", more.place,
+                            "C, P and LCSR beside a table of rates: the table counts alone")
     if card.row(card.lines[0], "MID").integer("MID") in deck.logarithmic_materials:
         if curves[0][0] > 0:
             is_log = True
-        elif not deck.ledger.refuse(f"{card.keyword}.table", more.place, "a rate of 0 (it has no logarithm)", "stresses are straight over the rate"):
+        elif not deck.ledger.refuse(f"{card.keyword}.table", more.place, "a rate of 0 (it has no logarithm)",
+                                    "stresses are straight over the rate"):
             return
     if len(curves) == 1:
-        law |= {"model": "tabulated_plasticity", "hardening": make_hardening(deck, curves[0][1], card.keyword, more.place)}
+        law |= {"model": "tabulated_plasticity",
+                "hardening": make_hardening(deck, curves[0][1], card.keyword, more.place)}
         return
     add_rates(deck.ledger, more.place, law, curves, f"{card.keyword}.table", is_log)
     note_rate(deck, more)
@@ -98,14 +101,17 @@ def add_table(deck: KeywordDeck, card: Card, more: Row, law: Deck, id: int) -> N
 
 def add_scaled(deck: KeywordDeck, card: Card, more: Row, law: Deck, points: Points) -> None:
     """LCSR: a factor of the yield stress over the rate."""
-    factors = [(rate, factor) for rate, factor in deck.material_curve(abs(more.integer("LCSR")), more.place, "rate", "none") if rate >= 0]
+    factors = [(rate, factor)
+               for rate, factor in deck.material_curve(abs(more.integer("LCSR")), more.place, "rate", "none")
+               if rate >= 0]
     base = extend_curve(clean_curve(points))
     if not base:
         stress, slope = law["yield_stress"], law["hardening_modulus"]
         base = [(0.0, stress), (FAR, stress + slope * FAR)] if slope else [(0.0, stress)]
     if not factors:
         raise BadInput(more.place, "the curve LCSR has no rate of 0 or more: give it rows")
-    add_rates(deck.ledger, more.place, law, order_curves(more.place, scale_curve(base, factors)), f"{card.keyword}.LCSR")
+    add_rates(deck.ledger, more.place, law, order_curves(more.place, scale_curve(base, factors)),
+              f"{card.keyword}.LCSR")
     note_rate(deck, more)
 
 
@@ -174,12 +180,14 @@ def read_modified(deck: KeywordDeck, card: Card, law: Deck, more: Row, use: Use)
     elif use.is_shell:
         set_failure(law, mean_thinning=-thinning)
     if use.is_shell and thinning:
-        deck.ledger.approximated(f"{card.keyword}.EPSTHIN", more.place, "a logarithmic strain, of the layers or (below 0) of the whole thickness")
+        deck.ledger.approximated(f"{card.keyword}.EPSTHIN", more.place,
+                                 "a logarithmic strain, of the layers or (below 0) of the whole thickness")
     read_layers(law, more, use)
 
 
 def damaged(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
-    """*MAT_PLASTICITY_WITH_DAMAGE: the stress falls in proportion to the damage, which grows from 0 at EPPF to 1 at EPPFR."""
+    """*MAT_PLASTICITY_WITH_DAMAGE: the stress falls in proportion to the damage,
+    which grows from 0 at EPPF to 1 at EPPFR."""
     reader = card.reader()
     row = reader.row("MID RO E PR SIGY ETAN EPPF=1e12 TDEL")
     more = reader.row("C P LCSS LCSR EPPFR=1e14 VP LCDM NUMINT")
@@ -192,7 +200,8 @@ def damaged(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     if 0 < end < NEVER:
         soften_law(law, start, end)
     if 0 < start < end < NEVER:
-        deck.ledger.approximated(f"{card.keyword}.EPPF", row.place, "the table falls from EPPF to EPPFR, as the damage has it; unloading keeps Young's modulus")
+        deck.ledger.approximated(f"{card.keyword}.EPPF", row.place, "the table falls from EPPF to EPPFR, as the damage "
+                                                                    "has it; unloading keeps Young's modulus")
     set_failure(law, plastic_strain=end, step=row.number("TDEL"))
     read_layers(law, more, use)
     row.finish(deck.ledger)
@@ -229,7 +238,8 @@ RESULTANTS = {"NRR": "axial", "NRS": "shear_y", "NRT": "shear_z", "MRR": "torque
 
 
 def spot_weld(deck: KeywordDeck, card: Card, use: Use) -> Deck:
-    """*MAT_SPOTWELD of beams, which fail by the forces of their section, by plastic strain or at a time, and of solids, which fail by plastic strain."""
+    """*MAT_SPOTWELD of beams, which fail by the forces of their section, by plastic strain or at a time, and of solids,
+    which fail by plastic strain."""
     reader = card.reader()
     row = reader.row("MID RO E PR SIGY EH DT TFAIL")
     more = reader.row("EFAIL NRR NRS NRT MRR MSS MTT NF~output")
@@ -240,7 +250,8 @@ def spot_weld(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     else:
         set_failure(law, plastic_strain=more.number("EFAIL"))
     if row.number("DT"):
-        deck.ledger.refuse(f"{card.keyword}.DT", row.place, "mass that is added to welds for their step", "no mass is added, and the step may be short")
+        deck.ledger.refuse(f"{card.keyword}.DT", row.place, "mass that is added to welds for their step",
+                           "no mass is added, and the step may be short")
     if not use.is_beam and 0 < row.number("TFAIL") < deck.end_time:
         deck.ledger.refuse(f"{card.keyword}.TFAIL", row.place, "welds of solids that fail at a time", "they do not")
     row.skip("TFAIL")
@@ -254,13 +265,15 @@ def limit_weld(deck: KeywordDeck, card: Card, law: Deck, row: Row, more: Row) ->
     """The sum of the squares of the forces over NRR to MTT reaches 1. A weld is round: it has no axes s and t."""
     limits = {ours: more.number(name) for name, ours in RESULTANTS.items()}
     if min(limits.values()) < 0:
-        deck.ledger.refuse(f"{card.keyword}.NRR", more.place, "limits of welds that depend on the rate", "there is none")
+        deck.ledger.refuse(f"{card.keyword}.NRR", more.place,
+                           "limits of welds that depend on the rate", "there is none")
     limits = {name: value for name, value in limits.items() if 0 < value < NEVER}
     for pair in (("shear_y", "shear_z"), ("moment_y", "moment_z")):
         both = [limits.get(name, 0.0) for name in pair]
         if both[0] == both[1]:
             continue
-        deck.ledger.refuse(f"{card.keyword}.{'NRS' if pair[0] == 'shear_y' else 'MSS'}", more.place, "limits of welds that differ between the axes s and t", "both are the smaller one")
+        deck.ledger.refuse(f"{card.keyword}.{'NRS' if pair[0] == 'shear_y' else 'MSS'}", more.place,
+                           "limits of welds that differ between the axes s and t", "both are the smaller one")
         limits |= dict.fromkeys(pair, min(value for value in both if value > 0))
     if limits:
         law.setdefault("failure", {})["resultants"] = limits
@@ -283,7 +296,8 @@ def shear_and_bulk(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
         set_failure(law, plastic_strain=more.number("EPF"), pressure=-more.number("PRF"), step=more.number("TREM"))
         if "failure" in law and more.integer("REM"):
             deck.ledger.refuse(
-                f"{card.keyword}.REM", more.place, "failed elements that continue as a fluid", "failed elements are eroded"
+                f"{card.keyword}.REM", more.place, "failed elements that continue as a fluid",
+                "failed elements are eroded"
             )
     row.finish(deck.ledger)
     finish_lines(deck, card, reader)
@@ -299,7 +313,8 @@ def elastic_plastic_hydro(deck: KeywordDeck, card: Card, use: Use) -> Deck | Non
     state = translate_state(deck, use)
     if state is None or state["kind"] == "jwl":
         deck.ledger.refuse(
-            f"{card.keyword}.EOSID", use.place, "a law that needs an equation of state", "the parts made of it are left out"
+            f"{card.keyword}.EOSID", use.place, "a law that needs an equation of state",
+            "the parts made of it are left out"
         )
         return None
     density = row.positive("RO")

@@ -35,10 +35,12 @@ def find_system(deck: KeywordDeck, card: Card, row: Row) -> tuple[Vector, Vector
 
 
 def add_axes(deck: KeywordDeck, card: Card, use: Use, law: Deck, lines: tuple[Row, Row, Row], angle: float) -> None:
-    """AOPT: directions of the axes at the start. lines: those with AOPT, with A and with V. angle: BETA or MANGLE, which turns axes 0 and 3 of shells."""
+    """AOPT: directions of the axes at the start. lines: those with AOPT, with A and with V.
+    angle: BETA or MANGLE, which turns axes 0 and 3 of shells."""
     options, point, vectors = lines
     if card.change.mirrors():
-        deck.ledger.refuse(f"{card.keyword}.mirror", card.place, "axes of a material in a file that is mirrored", "they are not mirrored")
+        deck.ledger.refuse(f"{card.keyword}.mirror", card.place,
+                           "axes of a material in a file that is mirrored", "they are not mirrored")
     (add_shell_axes if use.is_shell else add_solid_axes)(deck, card, use, law, lines)
     if options.number("AOPT") not in (0, 3) or not use.is_shell:
         refuse_angle(deck, card, options, angle)
@@ -52,7 +54,8 @@ def add_axes(deck: KeywordDeck, card: Card, use: Use, law: Deck, lines: tuple[Ro
 def refuse_angle(deck: KeywordDeck, card: Card, row: Row, angle: float) -> None:
     if angle:
         name = "MANGLE" if card.keyword == "MAT_ENHANCED_COMPOSITE_DAMAGE" else "BETA"
-        deck.ledger.refuse(f"{card.keyword}.{name}", row.place, f"{name} with AOPT = {row.number('AOPT'):g}, or of solids", "it turns nothing")
+        deck.ledger.refuse(f"{card.keyword}.{name}", row.place,
+                           f"{name} with AOPT = {row.number('AOPT'):g}, or of solids", "it turns nothing")
 
 
 def add_shell_axes(deck: KeywordDeck, card: Card, use: Use, law: Deck, lines: tuple[Row, Row, Row]) -> None:
@@ -68,7 +71,9 @@ def add_shell_axes(deck: KeywordDeck, card: Card, use: Use, law: Deck, lines: tu
         law["first_axis"] = list(find_system(deck, card, options)[0])
     else:
         if option:
-            deck.ledger.refuse(f"{card.keyword}.AOPT", options.place, f"AOPT = {option:g}: axes around a point or an axis", "axis 1 is the first side of each shell")
+            deck.ledger.refuse(f"{card.keyword}.AOPT", options.place,
+                               f"AOPT = {option:g}: axes around a point or an axis",
+                               "axis 1 is the first side of each shell")
         law["axes"] = "elements"
         return
     if not any(law["first_axis"]):
@@ -78,7 +83,8 @@ def add_shell_axes(deck: KeywordDeck, card: Card, use: Use, law: Deck, lines: tu
 def turn_by_elements(deck: KeywordDeck, use: Use, row: Row, angle: float) -> float:
     """The angle of *ELEMENT_SHELL_BETA in place of that of the material, or on top of other axes."""
     if use.has_systems:
-        deck.ledger.refuse("ELEMENT_SHELL.MCID", use.place, "shells with systems of axes of their own", "those of their material are used")
+        deck.ledger.refuse("ELEMENT_SHELL.MCID", use.place, "shells with systems of axes of their own",
+                           "those of their material are used")
     angles = sorted(use.angles) or [0.0]
     if len(angles) > 1:
         text = f"BETA that differs between the shells of a part, from {angles[0]:g} to {angles[-1]:g}"
@@ -99,9 +105,11 @@ def add_solid_axes(deck: KeywordDeck, card: Card, use: Use, law: Deck, lines: tu
     elif option < 0:
         axes = find_system(deck, card, options)[:2]
     elif option == 0:
-        axes = find_own_axes(deck, use) if any(id in deck.solid_axes for id, _ in use.solids) else find_element_axes(deck.model, use.solids)
+        axes = (find_own_axes(deck, use) if any(id in deck.solid_axes for id, _ in use.solids)
+                else find_element_axes(deck.model, use.solids))
     if option and any(id in deck.solid_axes for id, _ in use.solids):
-        deck.ledger.refuse(f"{card.keyword}.AOPT", options.place, f"AOPT = {option:g} beside *ELEMENT_SOLID_ORTHO", "the axes are those of AOPT")
+        deck.ledger.refuse(f"{card.keyword}.AOPT", options.place, f"AOPT = {option:g} beside *ELEMENT_SOLID_ORTHO",
+                           "the axes are those of AOPT")
     if axes is None:
         text = "axes that differ between its elements" if option == 0 else f"AOPT = {option:g} of solids"
         deck.ledger.refuse(f"{card.keyword}.AOPT", options.place, text, "the axes are those of space")
@@ -124,7 +132,8 @@ def read_constants(card: Card, row: Row, shear: Row, use: Use) -> Deck:
     e.append(e[1] if is_plane or (use.is_shell and not row.number("EC")) else row.positive("EC"))
     ba, ca, cb = row.number("PRBA"), *((0.0, 0.0) if is_plane else row.numbers("PRCA", "PRCB"))
     return {
-        "model": "orthotropic", "density": row.positive("RO"), "moduli": e, "poissons_ratios": [ba * e[0] / e[1], cb * e[1] / e[2], ca * e[0] / e[2]],
+        "model": "orthotropic", "density": row.positive("RO"), "moduli": e,
+        "poissons_ratios": [ba * e[0] / e[1], cb * e[1] / e[2], ca * e[0] / e[2]],
         "shear_moduli": [shear.positive("GAB"), shear.positive("GBC"), shear.positive("GCA")],
     }  # fmt: skip
 
@@ -145,7 +154,8 @@ def refuse_strengths(deck: KeywordDeck, card: Card, use: Use) -> bool:
     """Whether the law has no strengths, as of solids."""
     if use.is_shell:
         return False
-    deck.ledger.refuse(f"{card.keyword}.solids", use.place, "strengths of orthotropic solids (percuss has them for shells)", "they do not fail")
+    deck.ledger.refuse(f"{card.keyword}.solids", use.place,
+                       "strengths of orthotropic solids (percuss has them for shells)", "they do not fail")
     return True
 
 
@@ -161,8 +171,10 @@ def composite_damage(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     if use.is_shell:
         limits.skip("SN", "SYZ", "SZX")
     if any((sc, xt, yt, yc)) and not refuse_strengths(deck, card, use):
-        set_strengths(law, fibre_tension=xt, matrix_tension=yt, matrix_compression=yc, shear=sc, shear_in_fibre_tension=1.0 if sc > 0 else 0.0)
-        deck.ledger.approximated(card.keyword, card.place, "brittle plies by the criteria of Chang and Chang; a broken fibre leaves the stiffness across it")
+        set_strengths(law, fibre_tension=xt, matrix_tension=yt, matrix_compression=yc, shear=sc,
+                      shear_in_fibre_tension=1.0 if sc > 0 else 0.0)
+        deck.ledger.approximated(card.keyword, card.place, "brittle plies by the criteria of Chang and Chang; "
+                                                           "a broken fibre leaves the stiffness across it")
     for found in (row, shear, point, vectors, limits):
         found.finish(deck.ledger, "shear is linear until failure" if found is limits else "it is left out")
     finish_lines(deck, card, reader)
@@ -189,8 +201,10 @@ def enhanced_composite_damage(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     reader = card.reader()
     row, shear = reader.row(OF_SHELLS if use.is_shell else CONSTANTS), reader.row("GAB GBC GCA KF~unused AOPT 2WAY TI")
     point = reader.row(f"{POINT} MANGLE")
-    lines = LimitLines(reader.row(f"{VECTORS} DFAILM DFAILS"), reader.row("TFAIL ALPH SOFT=1 FBRT YCFAC=2 DFAILT DFAILC EFS"), reader.row("XC XT YC YT SC CRIT=54 BETA"),
-                       reader.row("PFL~unused EPSF EPSR~unused TSMD~unused SOFT2=1"), reader.row("SLIMT1 SLIMC1 SLIMT2 SLIMC2 SLIMS NCYRED~fading SOFTG=1"))  # fmt: skip
+    lines = LimitLines(
+        reader.row(f"{VECTORS} DFAILM DFAILS"), reader.row("TFAIL ALPH SOFT=1 FBRT YCFAC=2 DFAILT DFAILC EFS"),
+        reader.row("XC XT YC YT SC CRIT=54 BETA"), reader.row("PFL~unused EPSF EPSR~unused TSMD~unused SOFT2=1"),
+        reader.row("SLIMT1 SLIMC1 SLIMT2 SLIMC2 SLIMS NCYRED~fading SOFTG=1"))  # fmt: skip
     rates = reader.row("LCXC LCXT LCYC LCYT LCSC DT~sampling")
     law = read_constants(card, row, shear, use)
     add_axes(deck, card, use, law, (shear, point, lines.vectors), point.number("MANGLE"))
@@ -217,39 +231,50 @@ def add_strengths(deck: KeywordDeck, card: Card, use: Use, law: Deck, lines: Lim
     weight = row.number("BETA")
     if not 0 <= weight <= 1:
         row.fail("BETA", "a weight of the shear from 0 to 1 is expected")
-    set_strengths(law, fibre_tension=xt, fibre_compression=xc, matrix_tension=yt, matrix_compression=yc, shear=sc, shear_in_fibre_tension=weight)
+    set_strengths(law, fibre_tension=xt, fibre_compression=xc, matrix_tension=yt, matrix_compression=yc, shear=sc,
+                  shear_in_fibre_tension=weight)
     if row.number("CRIT") == 55 and yt > 0 and yc > 0:
         law["matrix_criterion"] = "tsai_wu"
     elif row.number("CRIT") == 55:
         row.fail("CRIT", "of 55 (Tsai and Wu) needs YT and YC")
     elif row.number("CRIT") != 54:
-        deck.ledger.refuse(f"{card.keyword}.CRIT", row.place, f"CRIT = {row.number('CRIT'):g}: another criterion of the matrix", "that of Chang and Chang counts")
+        deck.ledger.refuse(f"{card.keyword}.CRIT", row.place,
+                           f"CRIT = {row.number('CRIT'):g}: another criterion of the matrix",
+                           "that of Chang and Chang counts")
     if weight:
-        deck.ledger.approximated(f"{card.keyword}.BETA", row.place, "BETA weighs the square of the shear over SC in the criterion of fibres in tension")
+        deck.ledger.approximated(f"{card.keyword}.BETA", row.place,
+                                 "BETA weighs the square of the shear over SC in the criterion of fibres in tension")
     if xc > 0 and yc > 0:
         lines.failing.skip("YCFAC")
-        deck.ledger.approximated(f"{card.keyword}.YCFAC", lines.failing.place, "fibres keep their strength in compression when the matrix has failed, in place of YCFAC times YC")
+        deck.ledger.approximated(f"{card.keyword}.YCFAC", lines.failing.place,
+                                 "fibres keep their strength in compression when the matrix has failed, "
+                                 "in place of YCFAC times YC")
     if use.is_shell:
-        deck.ledger.approximated(card.keyword, card.place, "plies by the criteria of Chang and Chang, that of the matrix with CRIT of 55 by Tsai and Wu; an element is removed when the fibres of all plies have failed")
+        deck.ledger.approximated(card.keyword, card.place,
+                                 "plies by the criteria of Chang and Chang, that of the matrix with CRIT of 55 by Tsai "
+                                 "and Wu; an element is removed when the fibres of all plies have failed")
     if xt > 0 or xc > 0:
         set_failure(law, fibre_damage=1.0)
 
 
 def add_energies(deck: KeywordDeck, card: Card, use: Use, law: Deck, lines: LimitLines) -> None:
-    """Where DFAILT is given, a stress that has come to its strength stays, or falls to a share of it, until its strain is reached: in percuss it falls in a
-    straight line over the same energy. Without it plies are brittle."""
-    tension, compression, matrix = (abs(row.number(name)) for row, name in ((lines.failing, "DFAILT"), (lines.failing, "DFAILC"), (lines.vectors, "DFAILM")))
+    """Where DFAILT is given, a stress that has come to its strength stays, or falls to a share of it, until its strain
+    is reached: in percuss it falls in a straight line over the same energy. Without it plies are brittle."""
+    tension, compression = abs(lines.failing.number("DFAILT")), abs(lines.failing.number("DFAILC"))
+    matrix = abs(lines.vectors.number("DFAILM"))
     if not tension:
         lines.residual.skip("SLIMT1", "SLIMC1", "SLIMT2", "SLIMC2")
         lines.vectors.skip("DFAILS")
         return
     size, (e1, e2, _) = find_size(deck.model, use.shells), law["moduli"]
-    for name, modulus, strain, share in (("fibre_tension", e1, tension, "SLIMT1"), ("fibre_compression", e1, compression, "SLIMC1"),
-                                         ("matrix_tension", e2, matrix, "SLIMT2"), ("matrix_compression", e2, matrix, "SLIMC2")):  # fmt: skip
+    for name, modulus, strain, share in (
+            ("fibre_tension", e1, tension, "SLIMT1"), ("fibre_compression", e1, compression, "SLIMC1"),
+            ("matrix_tension", e2, matrix, "SLIMT2"), ("matrix_compression", e2, matrix, "SLIMC2")):  # fmt: skip
         rest = lines.residual.number(share) or 1.0
         if name in law:
             law[f"{name}_energy"] = find_crack_energy(law[name], modulus, strain or NO_LIMIT, rest, size)
-    text = f"the stress falls in a straight line over the energy of a stress that stays until DFAILT, DFAILC or DFAILM, in elements of the mean size {size:.4g}; a matrix that has failed leaves the fibres"
+    text = ("the stress falls in a straight line over the energy of a stress that stays until DFAILT, "
+            f"DFAILC or DFAILM, in elements of the mean size {size:.4g}; a matrix that has failed leaves the fibres")
     deck.ledger.approximated(f"{card.keyword}.DFAILT", lines.failing.place, text)
 
 
@@ -259,18 +284,21 @@ def add_end(deck: KeywordDeck, law: Deck, row: Row) -> None:
     if 0 < step <= MOST_STEP:
         set_failure(law, step=step)
     elif step > MOST_STEP:
-        deck.ledger.refuse(f"{row.card}.TFAIL", row.place, f"TFAIL = {step:g}: a share of the first step", "it is left out")
+        deck.ledger.refuse(f"{row.card}.TFAIL", row.place,
+                           f"TFAIL = {step:g}: a share of the first step", "it is left out")
     else:
         row.skip("SOFT")
 
 
 def laminated_fabric(deck: KeywordDeck, card: Card, use: Use) -> None:
     """*MAT_058."""
-    text = "damage by the law of Matzenmiller, Lubliner and Taylor, which grows from the first load on to the strain E11T (percuss falls in a straight line behind the strength)"
-    deck.ledger.refuse(card.keyword, card.place, text, "the parts made of it are left out; *MAT_054 with the same strengths is read")
+    text = ("damage by the law of Matzenmiller, Lubliner and Taylor, which grows from the first load on to the strain "
+            "E11T (percuss falls in a straight line behind the strength)")
+    deck.ledger.refuse(card.keyword, card.place, text,
+                       "the parts made of it are left out; *MAT_054 with the same strengths is read")
 
 
 ORTHOTROPIC = {
-    "ORTHOTROPIC_ELASTIC": orthotropic_elastic, "COMPOSITE_DAMAGE": composite_damage, "ENHANCED_COMPOSITE_DAMAGE": enhanced_composite_damage,
-    "LAMINATED_COMPOSITE_FABRIC": laminated_fabric,
+    "ORTHOTROPIC_ELASTIC": orthotropic_elastic, "COMPOSITE_DAMAGE": composite_damage,
+    "ENHANCED_COMPOSITE_DAMAGE": enhanced_composite_damage, "LAMINATED_COMPOSITE_FABRIC": laminated_fabric,
 }  # fmt: skip

@@ -44,11 +44,14 @@ def translate_rigid(deck: KeywordDeck, card: Card) -> Deck | None:
     row.finish(deck.ledger, "the body is coupled to no other program")
     held: list[str] = []
     if limits.number("CMO") == 1:
-        held = [*DIRECTIONS.get(limits.integer("CON1"), ""), *("r" + d for d in DIRECTIONS.get(limits.integer("CON2"), ""))]
+        held = [*DIRECTIONS.get(limits.integer("CON1"), ""),
+                *("r" + d for d in DIRECTIONS.get(limits.integer("CON2"), ""))]
     elif limits.number("CMO"):
         local = read_local_limits(deck, limits) if limits.number("CMO") == -1 else None
         if local is None:
-            deck.ledger.refuse("MAT_RIGID.CMO", limits.place, "a rigid body with constraints along axes that are none of space, or at a point", "it is free")
+            deck.ledger.refuse("MAT_RIGID.CMO", limits.place,
+                               "a rigid body with constraints along axes that are none of space, or at a point",
+                               "it is free")
         held = local or []
     for part in deck.parts.values():
         if part.material == id and deck.names_of_parts.get(part.id):

@@ -15,13 +15,16 @@ MOST_SPI = 0.02  # a SPI above is a stress
 
 def start_law(row: Row) -> Deck:
     row.skip("MID")
-    return {"model": "anisotropic_plasticity", "density": row.positive("RO"), "youngs_modulus": row.positive("E"), "poissons_ratio": row.number("PR")}
+    return {"model": "anisotropic_plasticity", "density": row.positive("RO"), "youngs_modulus": row.positive("E"),
+            "poissons_ratio": row.number("PR")}
 
 
 def refuse_solids(deck: KeywordDeck, card: Card, use: Use) -> bool:
     if use.is_shell:
         return False
-    deck.ledger.refuse(f"{card.keyword}.solids", use.place, "elements other than shells of this law (LS-DYNA has it for shells)", "the parts made of it are left out")
+    deck.ledger.refuse(f"{card.keyword}.solids", use.place,
+                       "elements other than shells of this law (LS-DYNA has it for shells)",
+                       "the parts made of it are left out")
     return True
 
 
@@ -46,7 +49,8 @@ def add_swift(deck: KeywordDeck, card: Card, row: Row, more: Row, law: Deck) -> 
     if n >= 1:
         row.fail("P2", "an exponent below 1 is expected")
     first = find_swift_strain(card, row, more, k, n)
-    points = [(SWIFT_END * (i / SWIFT_ROWS) ** 2, k * (first + SWIFT_END * (i / SWIFT_ROWS) ** 2) ** n) for i in range(SWIFT_ROWS + 1)]
+    points = [(SWIFT_END * (i / SWIFT_ROWS) ** 2, k * (first + SWIFT_END * (i / SWIFT_ROWS) ** 2) ** n)
+              for i in range(SWIFT_ROWS + 1)]
     law["hardening"] = make_hardening(deck, points, card.keyword, more.place)
 
 
@@ -59,10 +63,12 @@ def add_hardening(deck: KeywordDeck, card: Card, row: Row, more: Row, law: Deck)
         stress = row.positive("P2") * scale("stress", card.change.factors)
         law["hardening"] = list_straight(stress, tangent_to_hardening(row, law["youngs_modulus"], row.number("P1")))
     elif kind == 3 and more.integer("LCID") not in deck.tables:
-        law["hardening"] = make_hardening(deck, deck.material_curve(more.integer("LCID"), more.place, "none", "stress"), card.keyword, more.place)
+        law["hardening"] = make_hardening(deck, deck.material_curve(more.integer("LCID"), more.place, "none", "stress"),
+                                          card.keyword, more.place)
     else:
         what = f"hardening of the kind HR = {kind:g}" if kind != 3 else "a table of hardening curves"
-        deck.ledger.refuse(f"{card.keyword}.HR", row.place, f"{what} (percuss takes a line, a power law and a curve)", "the parts made of it are left out")
+        deck.ledger.refuse(f"{card.keyword}.HR", row.place, f"{what} (percuss takes a line, a power law and a curve)",
+                           "the parts made of it are left out")
         return False
     if kind != 2:
         more.skip(*(name for name in ("E0", "SPI") if name == "E0" or card.keyword.startswith("MAT_3")))
@@ -94,7 +100,9 @@ def barlat(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     if options.number("PB") > 0:
         a, c, h = more.numbers("R00", "R45", "R90")
         if abs(a + c - 2) > 1e-6:
-            deck.ledger.refuse(f"{card.keyword}.AB", more.place, f"AB + CB = {a + c:g} (2, so that the curve is that of the rolling direction)", "AB is 2 - CB")
+            deck.ledger.refuse(f"{card.keyword}.AB", more.place,
+                               f"AB + CB = {a + c:g} (2, so that the curve is that of the rolling direction)",
+                               "AB is 2 - CB")
         law["barlat"] = [c, h, options.number("PB")]
     else:
         add_ratios(more, law)
@@ -133,13 +141,15 @@ def transversely_anisotropic(deck: KeywordDeck, card: Card, use: Use) -> Deck | 
     if row.number("R") < 0:
         deck.ledger.refuse(f"{card.keyword}.R", row.place, "R below 0", "its magnitude is used")
     if row.number("ETAN") < 0:
-        deck.ledger.refuse(f"{card.keyword}.ETAN", row.place, "ETAN below 0: normal stresses on shells", "there are none")
+        deck.ledger.refuse(f"{card.keyword}.ETAN", row.place,
+                           "ETAN below 0: normal stresses on shells", "there are none")
     law["r_values"] = [abs(row.number("R")) or 1.0] * 3
     law["axes"] = "elements"
     id = row.integer("HLCID")
     if id:
         row.skip("SIGY", "ETAN")
-        law["hardening"] = make_hardening(deck, deck.material_curve(id, row.place, "none", "stress"), card.keyword, row.place)
+        law["hardening"] = make_hardening(deck, deck.material_curve(id, row.place, "none", "stress"),
+                                          card.keyword, row.place)
     else:
         law["hardening"] = list_straight(row.positive("SIGY"), abs(row.number("ETAN")))
     row.finish(deck.ledger)
@@ -147,4 +157,5 @@ def transversely_anisotropic(deck: KeywordDeck, card: Card, use: Use) -> Deck | 
     return law
 
 
-ROLLED = {"3-PARAMETER_BARLAT": barlat, "HILL_3R": hill, "TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC": transversely_anisotropic}
+ROLLED = {"3-PARAMETER_BARLAT": barlat, "HILL_3R": hill,
+          "TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC": transversely_anisotropic}

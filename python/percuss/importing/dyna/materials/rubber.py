@@ -39,7 +39,8 @@ def ogden(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
         row.fail("PR", "between 0 and 0.5 is expected")
     refuse_relaxing(deck, card, reader)
     deck.ledger.approximated(card.keyword, card.place, "the same constants, with percuss' term of volume")
-    law: Deck = {"model": "ogden", "density": row.positive("RO"), "terms": [[alpha, terms[alpha]] for alpha in sorted(terms)],
+    law: Deck = {"model": "ogden", "density": row.positive("RO"),
+                 "terms": [[alpha, terms[alpha]] for alpha in sorted(terms)],
                  "bulk_modulus": 2 * shear * (1 + ratio) / (3 * (1 - 2 * ratio))}  # fmt: skip
     row.finish(deck.ledger)
     finish_lines(deck, card, reader)
@@ -58,7 +59,8 @@ def hyperelastic(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     c10, c01, c11, c20, c02, c30 = more.numbers("C10", "C01", "C11", "C20", "C02", "C30")
     ratio, shear = row.number("PR"), 2 * (c10 + c01)
     if c11 or c02 or (c01 and (c20 or c30)):
-        text = "products and squares of I2 - 3, or I2 beside powers of I1 - 3 (percuss has C10 and C01, or C10, C20 and C30)"
+        text = ("products and squares of I2 - 3, or I2 beside powers of I1 - 3 "
+                "(percuss has C10 and C01, or C10, C20 and C30)")
         deck.ledger.refuse(f"{card.keyword}.C11", more.place, text, LEFT_OUT)
         return None
     if shear <= 0:
@@ -86,20 +88,24 @@ def refuse_relaxing(deck: KeywordDeck, card: Card, reader: Lines) -> None:
 def simplified_rubber(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     """One curve of force over the change of a gauge length, for rubber (PR 0)."""
     reader = card.reader()
-    row, more = reader.row("MID RO KM MU G SIGF REF~absent PRTEN"), reader.row("SGL=1 SW=1 ST=1 TBID TENSION~unused RTYPE~unused AVGOPT~unused PR")
+    row, more = (reader.row("MID RO KM MU G SIGF REF~absent PRTEN"),
+                 reader.row("SGL=1 SW=1 ST=1 TBID TENSION~unused RTYPE~unused AVGOPT~unused PR"))
     row.skip("MID")
     if more.integer("TBID") in deck.tables:
         deck.ledger.refuse(f"{card.keyword}.TBID", more.place, "curves for several rates", LEFT_OUT)
         return None
     if more.number("PR"):
-        deck.ledger.refuse(f"{card.keyword}.PR", more.place, "PR: a compressible foam, or rubber with a viscous stress", LEFT_OUT)
+        deck.ledger.refuse(f"{card.keyword}.PR", more.place,
+                           "PR: a compressible foam, or rubber with a viscous stress", LEFT_OUT)
         return None
     length, area = more.positive("SGL"), more.positive("SW") * more.positive("ST")
-    points = [(x / length, y / area) for x, y in order_points(deck.material_curve(more.integer("TBID"), more.place, "length", "force"))]
+    points = [(x / length, y / area)
+              for x, y in order_points(deck.material_curve(more.integer("TBID"), more.place, "length", "force"))]
     rows = make_uniaxial(deck, card, more, points)
     note_viscosity(deck, row, "MU")
     deck.ledger.approximated(card.keyword, card.place, "the same curve and bulk modulus, with percuss' term of volume")
-    law: Deck = {"model": "tabulated_rubber", "density": row.positive("RO"), "uniaxial": [list(point) for point in rows], "bulk_modulus": row.positive("KM")}
+    law: Deck = {"model": "tabulated_rubber", "density": row.positive("RO"),
+                 "uniaxial": [list(point) for point in rows], "bulk_modulus": row.positive("KM")}
     if reader.holds_more():
         refuse_unloading(deck, card, reader)
     row.finish(deck.ledger)
@@ -111,7 +117,8 @@ def simplified_rubber(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
 def refuse_unloading(deck: KeywordDeck, card: Card, reader: Lines) -> None:
     row = reader.row("LCUNLD HU=1 SHAPE=1 STOL~unused VISCO~unused HISOUT~output")
     if row.integer("LCUNLD") or row.number("HU") != 1 or row.number("SHAPE") != 1:
-        deck.ledger.refuse(f"{card.keyword}.LCUNLD", row.place, "LCUNLD, HU, SHAPE: another curve of unloading", "it unloads on the curve of loading")
+        deck.ledger.refuse(f"{card.keyword}.LCUNLD", row.place, "LCUNLD, HU, SHAPE: another curve of unloading",
+                           "it unloads on the curve of loading")
 
 
 def make_uniaxial(deck: KeywordDeck, card: Card, row: Row, points: Points) -> Points:
@@ -119,7 +126,8 @@ def make_uniaxial(deck: KeywordDeck, card: Card, row: Row, points: Points) -> Po
     least = ROUND_OFF * max((abs(x) for x, _ in points), default=0.0)
     down, up = [p for p in points if p[0] < -least], [p for p in points if p[0] > least]
     if not down or not up or min(y for _, y in up) <= 0 or max(y for _, y in down) >= 0 or down[0][0] <= -1:
-        raise BadInput(row.place, "the curve of rubber must be in compression (both negative, strains above -1) and in tension (both positive): complete it")
+        raise BadInput(row.place, "the curve of rubber must be in compression "
+                                  "(both negative, strains above -1) and in tension (both positive): complete it")
     if abs(interpolate(points, 0.0)) > 1e-6 * max(abs(y) for _, y in points):
         raise BadInput(row.place, "the curve of rubber has a stress without a strain: let it go through 0")
     (below, first), (above, second) = thin_rows([*down, (0.0, 0.0)], MOST_SIDE), thin_rows([(0.0, 0.0), *up], MOST_SIDE)
@@ -132,7 +140,8 @@ def make_uniaxial(deck: KeywordDeck, card: Card, row: Row, points: Points) -> Po
 def general_viscoelastic(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     """Prony terms of shear and volume; a term without decay is the long-term modulus."""
     reader = card.reader()
-    row, fit = reader.row("MID RO BULK PCF EF TREF~thermal A B"), reader.row("LCID NT~unused BSTART~unused TRAMP~unused LCIDK NTK~unused BSTARTK~unused TRAMPK~unused")
+    row, fit = (reader.row("MID RO BULK PCF EF TREF~thermal A B"),
+                reader.row("LCID NT~unused BSTART~unused TRAMP~unused LCIDK NTK~unused BSTARTK~unused TRAMPK~unused"))
     row.skip("MID")
     if fit.integer("LCID") or fit.integer("LCIDK"):
         deck.ledger.refuse(f"{card.keyword}.LCID", fit.place, "LCID, LCIDK: relaxation fitted to a curve", LEFT_OUT)
@@ -141,11 +150,12 @@ def general_viscoelastic(deck: KeywordDeck, card: Card, use: Use) -> Deck | None
     bulk: dict[float, float] = {}
     while reader.skip_blank():
         add_terms(reader.row("GI BETAI KI BETAKI"), shear, bulk)
-    law: Deck = {"model": "viscoelastic", "density": row.positive("RO"), "bulk_modulus": bulk.pop(0.0, 0.0) if bulk else row.positive("BULK"),
-                 "long_term_shear_modulus": shear.pop(0.0, 0.0)}  # fmt: skip
+    law: Deck = {"model": "viscoelastic", "density": row.positive("RO"), "bulk_modulus": bulk.pop(0.0, 0.0) if bulk
+                 else row.positive("BULK"), "long_term_shear_modulus": shear.pop(0.0, 0.0)}  # fmt: skip
     row.skip("BULK")
     if max(len(shear), len(bulk)) > MOST_RELAXATIONS or (not shear and not bulk) or law["bulk_modulus"] <= 0:
-        text = f"{len(shear)} terms of shear and {len(bulk)} of volume that decay (percuss has 1 to {MOST_RELAXATIONS}, and a bulk modulus that stays)"
+        text = (f"{len(shear)} terms of shear and {len(bulk)} of volume that decay "
+                f"(percuss has 1 to {MOST_RELAXATIONS}, and a bulk modulus that stays)")
         deck.ledger.refuse(f"{card.keyword}.GI", card.place, text, LEFT_OUT)
         return None
     for name, terms in (("relaxation", shear), ("bulk_relaxation", bulk)):
@@ -166,4 +176,5 @@ def add_terms(row: Row, shear: dict[float, float], bulk: dict[float, float]) -> 
             terms[row.number(decay)] = terms.get(row.number(decay), 0.0) + row.number(modulus)
 
 
-RUBBER = {"OGDEN_RUBBER": ogden, "HYPERELASTIC_RUBBER": hyperelastic, "SIMPLIFIED_RUBBER/FOAM": simplified_rubber, "GENERAL_VISCOELASTIC": general_viscoelastic}
+RUBBER = {"OGDEN_RUBBER": ogden, "HYPERELASTIC_RUBBER": hyperelastic, "SIMPLIFIED_RUBBER/FOAM": simplified_rubber,
+          "GENERAL_VISCOELASTIC": general_viscoelastic}

@@ -104,7 +104,8 @@ def finish_lines(deck: KeywordDeck, card: Card, reader: Lines) -> None:
     while reader.skip_blank():
         line = reader.take()
         if any(text.strip("0.+-eE") for text in card.split(line, (10,) * 8)):
-            deck.ledger.refuse(f"{card.keyword}.lines", card.at(line[0]), "a data line that is not read", "it is left out")
+            deck.ledger.refuse(f"{card.keyword}.lines", card.at(line[0]),
+                               "a data line that is not read", "it is left out")
 
 
 def add_rate(law: Deck, deck: KeywordDeck, row: Row, names: tuple[str, str]) -> bool:
@@ -117,7 +118,8 @@ def add_rate(law: Deck, deck: KeywordDeck, row: Row, names: tuple[str, str]) -> 
     if given:
         other = next((name for name in names if name not in given), "")
         text = f"{given[0]} without {other}" if other else f"{names[0]} or {names[1]} below 0"
-        deck.ledger.ignored(f"{row.card}.{given[0]}", row.place, f"{text}: Cowper and Symonds' law needs both above 0, so the stress does not depend on the rate")
+        deck.ledger.ignored(f"{row.card}.{given[0]}", row.place, f"{text}: Cowper and Symonds' law needs both above 0, "
+                                                                 "so the stress does not depend on the rate")
     return False
 
 
@@ -137,7 +139,8 @@ def read_layers(law: Deck, row: Row, use: Use, name: str = "NUMINT") -> None:
 
 
 def limit_tension(deck: KeywordDeck, row: Row, law: Deck, bulk: float, stays: bool = True) -> None:
-    """PC: a limit of tension that does not fail the element; stays: the pressure stays level there. One beyond the bulk modulus is never reached, and is written for none."""
+    """PC: a limit of tension that does not fail the element; stays: the pressure stays level there.
+    One beyond the bulk modulus is never reached, and is written for none."""
     limit = row.number("PC")
     if limit >= 0:
         return
@@ -152,7 +155,8 @@ def limit_tension(deck: KeywordDeck, row: Row, law: Deck, bulk: float, stays: bo
 def note_viscosity(deck: KeywordDeck, row: Row, name: str) -> None:
     """A viscosity of foams, whose place the bulk viscosity of percuss takes."""
     if row.number(name):
-        deck.ledger.approximated(f"{row.card}.{name}", row.place, "the bulk viscosity of percuss in place of this viscosity")
+        deck.ledger.approximated(f"{row.card}.{name}", row.place,
+                                 "the bulk viscosity of percuss in place of this viscosity")
 
 
 def find_bulk_modulus(law: Deck) -> float:
@@ -161,7 +165,8 @@ def find_bulk_modulus(law: Deck) -> float:
 
 
 def set_failure(law: Deck, **limits: float) -> None:
-    """Criteria of failure; 0 and what nothing reaches mean none. Of two limits of one kind the one that is reached first counts: each acts by itself."""
+    """Criteria of failure; 0 and what nothing reaches mean none.
+    Of two limits of one kind the one that is reached first counts: each acts by itself."""
     for name, value in limits.items():
         if 0 < value < NEVER:
             known = law.setdefault("failure", {})
@@ -169,7 +174,8 @@ def set_failure(law: Deck, **limits: float) -> None:
 
 
 def set_layers(deck: KeywordDeck, law: Deck, row: Row, use: Use, own: float | None) -> None:
-    """NUMFIP: how many points of a shell must fail, or below 0 their share in percent. own: the share that the law has for its own criteria."""
+    """NUMFIP: how many points of a shell must fail, or below 0 their share in percent.
+    own: the share that the law has for its own criteria."""
     count = row.number("NUMFIP") or 1
     share = min(count / use.points if count > 0 else -count / 100, 1.0)
     if own is not None and own != share:
@@ -183,4 +189,5 @@ def set_layers(deck: KeywordDeck, law: Deck, row: Row, use: Use, own: float | No
 def start_law(row: Row, model: str) -> Deck:
     """The keys that laws of metals have."""
     row.skip("MID")
-    return {"model": model, "density": row.positive("RO"), "youngs_modulus": row.positive("E"), "poissons_ratio": row.number("PR")}
+    return {"model": model, "density": row.positive("RO"), "youngs_modulus": row.positive("E"),
+            "poissons_ratio": row.number("PR")}

@@ -55,7 +55,8 @@ def ideal_gas(deck: KeywordDeck, use: Use) -> Deck:
     if pressure_heat <= heat:
         row.fail("CP", "must be above CV")
     check_volume(deck, row, "V0")
-    state: Deck = {"kind": "ideal_gas", "gamma": pressure_heat / heat, "start_energy": use.density * heat * row.positive("T0")}
+    state: Deck = {"kind": "ideal_gas", "gamma": pressure_heat / heat,
+                   "start_energy": use.density * heat * row.positive("T0")}
     row.finish(deck.ledger, "specific heats are constant")
     more.finish(deck.ledger, "the gas heats by the work of compression, as with ADIAB=0")
     return state
@@ -70,7 +71,8 @@ def tabulated(deck: KeywordDeck, use: Use) -> Deck:
     curves = {"cold": row.integer("LCC"), "heat": row.integer("LCT")}
     if any(curves.values()):
         up = {"cold": "stress", "heat": "none"}
-        tables = {key: order_points(deck.material_curve(id, row.place, "none", up[key])) for key, id in curves.items() if id}
+        tables = {key: order_points(deck.material_curve(id, row.place, "none", up[key]))
+                  for key, id in curves.items() if id}
     else:
         tables = read_tables(reader)
     if not tables.get("cold"):
@@ -110,8 +112,8 @@ def jwl(deck: KeywordDeck, use: Use) -> Deck:
 
 
 STATES = {"EOS_LINEAR_POLYNOMIAL": linear_polynomial, "EOS_001": linear_polynomial, "EOS_1": linear_polynomial,
-          "EOS_GRUNEISEN": grueneisen, "EOS_004": grueneisen, "EOS_4": grueneisen,
-          "EOS_IDEAL_GAS": ideal_gas, "EOS_012": ideal_gas, "EOS_12": ideal_gas, "EOS_JWL": jwl, "EOS_002": jwl, "EOS_2": jwl,
+          "EOS_GRUNEISEN": grueneisen, "EOS_004": grueneisen, "EOS_4": grueneisen, "EOS_IDEAL_GAS": ideal_gas,
+          "EOS_012": ideal_gas, "EOS_12": ideal_gas, "EOS_JWL": jwl, "EOS_002": jwl, "EOS_2": jwl,
           "EOS_TABULATED": tabulated, "EOS_009": tabulated, "EOS_9": tabulated}  # fmt: skip
 
 

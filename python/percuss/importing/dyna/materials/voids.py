@@ -16,13 +16,15 @@ def gurson(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     reader = card.reader()
     row, more = reader.row("MID RO E PR SIGY N Q1 Q2"), reader.row("FC F0 EN SN FN ETAN ATYP FF0")
     points = read_points(reader, EIGHT, EIGHT)
-    sizes, last = reader.row("L1 L2 L3 L4 FF1 FF2 FF3 FF4"), reader.row("LCSS LCFF NUMINT~output LCF0 LCFC LCFN VGTYP DEXP~output")
+    sizes, last = (reader.row("L1 L2 L3 L4 FF1 FF2 FF3 FF4"),
+                   reader.row("LCSS LCFF NUMINT~output LCF0 LCFC LCFN VGTYP DEXP~output"))
     law = start_law(row, "gurson")
     id, kind = last.integer("LCSS"), more.integer("ATYP")
     if id in deck.tables:
         deck.ledger.refuse(f"{card.keyword}.LCSS", last.place, "a table of curves", "its first curve is used")
         id = deck.tables[id][0][1]
-    law["hardening"] = make_hardening(deck, deck.material_curve(id, last.place, "none", "stress"), card.keyword, last.place) if id else []
+    law["hardening"] = make_hardening(deck, deck.material_curve(id, last.place, "none", "stress"), card.keyword,
+                                      last.place) if id else []
     law["hardening"] = law["hardening"] or harden(deck, card, row, more, kind, points if kind == 3 else [])
     for name in ("SIGY", "N"):
         row.skip(name)
@@ -31,7 +33,8 @@ def gurson(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     law |= {"q1": q1, "q2": q2, "q3": q1 * q1, "void_fraction": more.number("F0")}
     add_limits(law, more)
     if law["void_fraction"] > 0 and last.integer("VGTYP") != 2:
-        deck.ledger.approximated(f"{card.keyword}.VGTYP", last.place, "in compression voids close below F0, as with VGTYP of 2")
+        deck.ledger.approximated(f"{card.keyword}.VGTYP", last.place,
+                                 "in compression voids close below F0, as with VGTYP of 2")
     last.skip("VGTYP")
     for line in (row, more, sizes, last):
         line.finish(deck.ledger, "it is left out")
@@ -44,7 +47,8 @@ def harden(deck: KeywordDeck, card: Card, row: Row, more: Row, kind: int, points
     stress, e = row.positive("SIGY"), row.positive("E")
     if kind == 1:
         start, exponent = stress / e, 1 / row.positive("N")
-        deck.ledger.approximated(f"{card.keyword}.N", row.place, f"the power law by {POWER_ROWS} rows up to a plastic strain of {MOST_STRAIN:g}")
+        deck.ledger.approximated(f"{card.keyword}.N", row.place,
+                                 f"the power law by {POWER_ROWS} rows up to a plastic strain of {MOST_STRAIN:g}")
         strains = [MOST_STRAIN * (i / (POWER_ROWS - 1)) ** 3 for i in range(POWER_ROWS)]
         return [[p, stress * ((start + p) / start) ** exponent] for p in strains]
     if kind == 2:
