@@ -13,9 +13,11 @@ tools: {', '.join(TOOLS)}"""
 
 
 def main(words: list[str]) -> int | None:
-    """--lacks TOOL: how many libraries of a tool this interpreter lacks, as exit code; the executable chooses an interpreter by it."""
+    """--lacks TOOL: how many libraries of a tool this interpreter lacks, as exit code;
+    the executable chooses an interpreter by it."""
     if hasattr(signal, "SIGPIPE"):
-        signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # ends silently, as programs of the shell do: percuss plot DIR --list | head
+        # ends silently, as programs of the shell do: percuss plot DIR --list | head
+        signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     if len(words) == 2 and words[0] == "--lacks" and words[1] in TOOLS:
         return count_missing(words[1])
     if not words or words[0] not in TOOLS:
@@ -25,7 +27,8 @@ def main(words: list[str]) -> int | None:
     try:
         return load_tool(words[0]).main(words[1:])
     except MissingLibrary as error:
-        fail({"import": "percuss import", "preview": "percuss check --report", "tables": "info"}.get(words[0], words[0]), error)
+        names = {"import": "percuss import", "preview": "percuss check --report", "tables": "info"}
+        fail(names.get(words[0], words[0]), error)
 
 
 if __name__ == "__main__":

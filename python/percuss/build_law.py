@@ -18,9 +18,11 @@ this version of percuss: make it again after an update.
 
 examples:
   percuss build-law hardening.hpp                     makes hardening.so
-  percuss run deck.yaml --allow-library hardening.so  with {model: library, law: hardening.so, constants: {...}} in the deck
+  percuss run deck.yaml --allow-library hardening.so
+                                with {model: library, law: hardening.so, constants: {...}} in the deck
 
-Exit codes: 0 the library is made; 2 wrong input, or the law does not compile; 4 there is no compiler, or no file can be written.
+Exit codes: 0 the library is made; 2 wrong input, or the law does not compile;
+4 there is no compiler, or no file can be written.
 Needs Python 3 and a C++20 compiler.
 """
 # What the headers of laws use of Kokkos: its words for functions.
@@ -33,7 +35,8 @@ MARKS = """\
 
 
 def parse_arguments(words: list[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="percuss build-law", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
+    parser = argparse.ArgumentParser(prog="percuss build-law", epilog=EPILOG,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter,
                                      description="Compiles a material law of your own as a library that decks can use.")
     add = parser.add_argument
     add("law", metavar="LAW.hpp", help="the header of the law")
@@ -70,7 +73,8 @@ def find_headers() -> str:
     """The folder that holds kernels/material: of the checkout or the installation that this package belongs to."""
     root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
     if not os.path.exists(os.path.join(root, "kernels", "material", "user", "export_law.hpp")):
-        fail(f"there are no headers of laws in {root} (they belong to the checkout or installation of percuss): start the program there", 4)
+        fail(f"there are no headers of laws in {root} (they belong to the checkout or installation of percuss): "
+             "start the program there", 4)
     return root
 
 
@@ -93,8 +97,8 @@ def compile_law(source: str, name: str, out: str) -> None:
                        f"using namespace percuss;\nPERCUSS_EXPORT_LAW({name})\n")
         made = os.path.join(folder, "law.so")
         compiler = shlex.split(os.environ.get("CXX", "c++"))
-        words = [*compiler, "-std=c++20", "-O3", "-DNDEBUG", "-shared", "-fPIC", "-fvisibility=hidden", *flags, "-I", folder, "-I", os.path.dirname(os.path.abspath(source)),
-                 "-I", root, "-o", made, code]
+        words = [*compiler, "-std=c++20", "-O3", "-DNDEBUG", "-shared", "-fPIC", "-fvisibility=hidden", *flags, "-I",
+                 folder, "-I", os.path.dirname(os.path.abspath(source)), "-I", root, "-o", made, code]
         try:
             done = subprocess.run(words, capture_output=True, text=True, errors="replace", check=False)
         except OSError as error:

@@ -22,7 +22,8 @@ class NoDisplay(RuntimeError):
 
 @contextlib.contextmanager
 def open_display() -> Iterator[str]:
-    """Makes DISPLAY a virtual display, where there is Xvfb: it gives the same pictures on every machine. Else it is that of the user."""
+    """Makes DISPLAY a virtual display, where there is Xvfb: it gives the same pictures on every machine.
+    Else it is that of the user."""
     server, other = shutil.which("Xvfb"), os.environ.get(OTHER)
     if other or not server:
         name = other or os.environ.get("DISPLAY")
@@ -49,8 +50,9 @@ def _start(server: str, key: str) -> tuple[subprocess.Popen[bytes], str]:
             continue
         reading, writing = os.pipe()
         with open(reading, encoding="ascii") as ready:
-            process = subprocess.Popen([server, f":{number}", "-displayfd", str(writing), "-auth", key, *SCREEN], pass_fds=(writing,),
-                                       stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, preexec_fn=_end_with_parent)
+            process = subprocess.Popen([server, f":{number}", "-displayfd", str(writing), "-auth", key, *SCREEN],
+                                       pass_fds=(writing,), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.DEVNULL, preexec_fn=_end_with_parent)
             os.close(writing)
             if ready.readline().strip():
                 return process, f":{number}"
@@ -65,7 +67,8 @@ def _end_with_parent() -> None:
 
 
 def _write_key(folder: str) -> str:
-    """A key without which no other user can draw on the display: an entry of Xlib's file of keys for any host and any number."""
+    """A key without which no other user can draw on the display:
+    an entry of Xlib's file of keys for any host and any number."""
     words = (b"", b"", b"MIT-MAGIC-COOKIE-1", secrets.token_bytes(16))
     path = os.path.join(folder, "key")
     with open(path, "wb") as file:

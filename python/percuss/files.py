@@ -65,13 +65,14 @@ class MapOf:
 
 
 WHOLE, TEXT, ANY, OBJECT = "a whole number", "a text", "anything", "an object"
-NUMBER, TEXT_OR_NULL = "a number or null", "a text or null"  # JSON has no numbers that are not finite: null stands for them
-_TYPES: dict[str, Any] = {WHOLE: int, TEXT: str, NUMBER: (int, float, type(None)), TEXT_OR_NULL: (str, type(None)), OBJECT: dict}
+NUMBER, TEXT_OR_NULL = "a number or null", "a text or null"  # JSON has no numbers that are not finite: they are null
+_TYPES: dict[str, Any] = {WHOLE: int, TEXT: str, NUMBER: (int, float, type(None)), TEXT_OR_NULL: (str, type(None)),
+                          OBJECT: dict}
 
 
 def find_fault(content: Any, shape: Any, place: str = "") -> str:
-    """What of the content does not have its shape; empty if all has. A shape is a name of _TYPES, ANY, [shape of the items],
-    [shape, number of items], MapOf, or {key: shape}, which lets other keys be; values may be Optional."""
+    """What of the content does not have its shape; empty if all has. A shape is a name of _TYPES, ANY, [shape of the
+    items], [shape, number of items], MapOf, or {key: shape}, which lets other keys be; values may be Optional."""
     where = f"'{place}'" if place else "it"
     if shape == ANY:
         return ""
@@ -81,7 +82,8 @@ def find_fault(content: Any, shape: Any, place: str = "") -> str:
     if isinstance(shape, list):
         if not isinstance(content, list) or (len(shape) > 1 and len(content) != shape[1]):
             return f"{where} is not a list" + (f" of {shape[1]}" if len(shape) > 1 else "")
-        return next((fault for i, item in enumerate(content) if (fault := find_fault(item, shape[0], f"{place}.{i}".lstrip(".")))), "")
+        return next((fault for i, item in enumerate(content)
+                     if (fault := find_fault(item, shape[0], f"{place}.{i}".lstrip(".")))), "")
     if not isinstance(content, dict):
         return f"{where} is not an object"
     wanted_by_key = {key: shape.shape for key in content} if isinstance(shape, MapOf) else shape
@@ -125,8 +127,8 @@ def make_mark(tool: str) -> str:
 
 
 def check_target(path: str | os.PathLike[str], tool: str, force: bool = False) -> None:
-    """Throws Refused unless the tool may write there: nothing is there, or its own earlier file, or with `force` a file that is
-    no result of a run."""
+    """Throws Refused unless the tool may write there: nothing is there, or its own earlier file, or with `force` a file
+    that is no result of a run."""
     path = os.fspath(path)
     if os.path.islink(path):
         raise Refused(f"{path}: this is a link, which is never followed: remove it, or choose another name with --out")
@@ -138,13 +140,15 @@ def check_target(path: str | os.PathLike[str], tool: str, force: bool = False) -
     if name in _RESULTS or name.endswith(_RESULT_ENDINGS):
         raise Refused(f"{path}: this is a result of a run (no tool overwrites one): choose another name with --out")
     if not force and not _has_mark(path, tool):
-        raise Refused(f"{path}: this file is there already (percuss {tool} has not written it): choose another name with --out, or "
+        raise Refused(f"{path}: this file is there already (percuss {tool} has not written it): "
+                      "choose another name with --out, or "
                       "give --force")
 
 
-def write_file(path: str | os.PathLike[str], content: str | bytes | Iterable[str | bytes], tool: str, force: bool = False) -> None:
-    """Writes a text, bytes, or texts that follow each other, all or nothing: into a new file beside it, which takes its place at once. A link is never followed.
-    Throws Refused (see check_target) and OSError."""
+def write_file(path: str | os.PathLike[str], content: str | bytes | Iterable[str | bytes], tool: str,
+               force: bool = False) -> None:
+    """Writes a text, bytes, or texts that follow each other, all or nothing: into a new file beside it, which takes its
+    place at once. A link is never followed. Throws Refused (see check_target) and OSError."""
     path = os.fspath(path)
     check_target(path, tool, force)
     pieces: Iterable[str | bytes] = [content] if isinstance(content, (str, bytes)) else content

@@ -20,14 +20,16 @@ class MissingLibrary(ImportError):
 
 
 def require(what: str, libraries: Iterable[str], option: str = "--report") -> None:
-    """Loads the libraries that something needs. what: 'plots need', for the message; option: of scripts/install_dependencies."""
+    """Loads the libraries that something needs.
+    what: 'plots need', for the message; option: of scripts/install_dependencies."""
     libraries = list(libraries)
     try:
         for library in libraries:
             importlib.import_module(library)
     except ImportError as error:
         names = _join([NAMES[library][0] for library in libraries])
-        raise MissingLibrary(f"{error} ({what} Python 3 with {names}): {describe_install(libraries, option)}") from error
+        raise MissingLibrary(f"{error} ({what} Python 3 with {names}): "
+                             f"{describe_install(libraries, option)}") from error
 
 
 def describe_install(libraries: Iterable[str], option: str = "--report") -> str:

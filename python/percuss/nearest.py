@@ -9,7 +9,8 @@ ALIKE, A_LITTLE, SHORTEST_PIECE = 0.75, 0.5, 3
 
 
 def find_nearest(word: str, names: Iterable[str]) -> str | None:
-    """A name with few other letters, else the shortest that has the word in it, else one that is a little like it; None."""
+    """A name with few other letters, else the shortest that has the word in it,
+    else one that is a little like it; None."""
     names = list(names)
     if near := difflib.get_close_matches(word, names, 1, ALIKE):
         return near[0]

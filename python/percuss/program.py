@@ -13,4 +13,5 @@ def find_program() -> str:
                  os.path.join(os.path.dirname(os.path.dirname(root)), "bin/percuss"), shutil.which("percuss")):
         if path and os.access(path, os.X_OK):
             return path
-    raise NotResults("there is no percuss: build it (scripts/build), or name it in the environment variable PERCUSS_PROGRAM")
+    raise NotResults("there is no percuss: build it "
+                     "(scripts/build), or name it in the environment variable PERCUSS_PROGRAM")

@@ -8,21 +8,21 @@ from percuss.files import FRAME_ENDINGS
 from percuss.terminal import fail as end
 
 EPILOG = """\
-The run ends after its current step. It first writes its results and a checkpoint, with which percuss run DECK --restart DIR
-continues it. The request is a file, DIR/stop, DIR/frame or DIR/checkpoint, which the run takes within a quarter of a second,
-or after its current step if that takes longer. A request during the start of a run takes effect after its first step. It works
-from any machine that sees the folder.
+The run ends after its current step. It first writes its results and a checkpoint, with which percuss run DECK --restart
+DIR continues it. The request is a file, DIR/stop, DIR/frame or DIR/checkpoint, which the run takes within a quarter of
+a second, or after its current step if that takes longer. A request during the start of a run takes effect after its
+first step. It works from any machine that sees the folder.
 
-A frame is only written if the deck has output.fields, a row only if it has output.history and no sensors. Sensors are evaluated
-at rows, and a requested frame must not change the run.
+A frame is only written if the deck has output.fields, a row only if it has output.history and no sensors. Sensors are
+evaluated at rows, and a requested frame must not change the run.
 
 examples:
   percuss stop wall                 end the run with a checkpoint
   percuss stop wall --frame         write a frame of fields and a row of the history (with sensors: no row) now; go on
   percuss stop wall --checkpoint    write a checkpoint now; go on
 
-Exit codes: 0 the run has taken the request (or was asked, with --no-wait); 2 there is no active run in DIR; 4 the request
-could not be written, or the run has not taken it in time.
+Exit codes: 0 the run has taken the request (or was asked, with --no-wait); 2 there is no active run in DIR; 4 the
+request could not be written, or the run has not taken it in time.
 Needs Python 3 alone.
 """
 
@@ -33,7 +33,8 @@ def parse_arguments(words):
         description="Asks an active run to stop with a checkpoint, or for a frame or a checkpoint.")
     add = parser.add_argument
     add("dir", metavar="DIR", help="the output folder of the run")
-    add("--frame", action="store_true", help="do not stop: write a frame of fields and a row of the history (with sensors: no row)")
+    add("--frame", action="store_true",
+        help="do not stop: write a frame of fields and a row of the history (with sensors: no row)")
     add("--checkpoint", action="store_true", help="do not stop: write a checkpoint")
     add("--no-wait", action="store_true", help="do not wait until the run has taken the request")
     add("--timeout", metavar="SECONDS", type=float, default=60.0, help="how long to wait for this (default: 60)")
@@ -80,7 +81,8 @@ def describe_frame(folder):
     why = "(the deck has no output.fields)"
     from percuss.results.columns import has_sensors
 
-    return f"a row of the history without a frame {why}" if has("history.csv") and not has_sensors(folder) else f"no frame {why}"
+    return (f"a row of the history without a frame {why}" if has("history.csv") and not has_sensors(folder)
+            else f"no frame {why}")
 
 
 def fail(message, code=2):
@@ -106,4 +108,5 @@ def main(words):
         return
     if not arguments.no_wait:
         words = {"frame": describe_frame(folder), "checkpoint": "a checkpoint"}
-        print(f"stop: the run in {folder} {'stops' if names == ['stop'] else 'writes ' + ' and '.join(words[name] for name in names)}")
+        print(f"stop: the run in {folder} "
+              f"{'stops' if names == ['stop'] else 'writes ' + ' and '.join(words[name] for name in names)}")

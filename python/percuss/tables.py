@@ -10,8 +10,10 @@ NEEDS = ("numpy", "h5py")
 EPILOG = """\
 `percuss info DIR --energies` and `--forces` are this program. They read history.csv.
 
-  --energies   of the scene, then of each part or block that the history has: first, last, smallest and largest value, with their times
-  --forces     of contact, walls, supports, sections, joints, springs and welds: largest resultant and its time, impulse, mean, last value
+  --energies   of the scene, then of each part or block that the history has: first, last, smallest and largest value,
+               with their times
+  --forces     of contact, walls, supports, sections, joints, springs and welds: largest resultant and its time,
+               impulse, mean, last value
 
 examples:
   percuss info ball --energies
@@ -29,7 +31,8 @@ def parse_arguments(words):
     add("dir", metavar="DIR", help="the output folder of a run, complete or under way")
     add("--energies", action="store_true", help="energies of the scene, of parts and of blocks")
     add("--forces", action="store_true", help="peaks and impulses of forces")
-    add("--units", metavar="SYSTEM", help="convert to a system of units, such as 'mm, kg, ms' (default: that of the deck)")
+    add("--units", metavar="SYSTEM",
+        help="convert to a system of units, such as 'mm, kg, ms' (default: that of the deck)")
     return parser.parse_args(words)
 
 
@@ -50,11 +53,14 @@ def main(words):
         history = run.history.in_units(Units(arguments.units)) if arguments.units else run.history
         if not len(history):
             fail(f"{os.path.join(run.folder, 'history.csv')}: there is no row in it yet")
-        for wanted, title, make in ((arguments.energies, "energies", list_energies), (arguments.forces, "forces", list_forces_in_rows)):
+        for wanted, title, make in ((arguments.energies, "energies", list_energies),
+                                    (arguments.forces, "forces", list_forces_in_rows)):
             if wanted:
                 heading, rows = make(run, history)
                 unit = history.unit("time")
-                print_text(f"{run.folder}: {title}, {len(history)} rows to t = {history['time'][-1]:.6g}{f' {unit}' if unit else ''}")
-                print_text(write_table(heading, rows) if rows else f"  the history has no {title} (output.history of the deck)")
+                print_text(f"{run.folder}: {title}, "
+                           f"{len(history)} rows to t = {history['time'][-1]:.6g}{f' {unit}' if unit else ''}")
+                print_text(write_table(heading, rows) if rows
+                           else f"  the history has no {title} (output.history of the deck)")
     except (NotResults, ValueError) as error:
         fail(error)

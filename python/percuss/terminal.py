@@ -8,8 +8,8 @@ KEPT = "\n\t"  # in texts of several lines
 
 
 def clean(text: object, kept: str = "") -> str:
-    """The text with what a terminal obeys instead of showing it (control characters, marks that turn the direction of writing) as
-    \\x1b or \\u202e, as percuss itself prints it."""
+    """The text with what a terminal obeys instead of showing it (control characters, marks that turn the direction of
+    writing) as \\x1b or \\u202e, as percuss itself prints it."""
     return "".join(c if c in kept or not _is_order(c) else _name(c) for c in str(text))
 
 

@@ -1,7 +1,8 @@
 """The tools of percuss: what `python3 -m percuss NAME`, and so `percuss NAME` of the executable, starts.
 
-A tool is a module with main(words), which returns an exit code or None. NEEDS are the libraries without which it ends, WISHES those
-without which a part of its work is left out. A module loads none of them before it has read its words: --help needs Python alone."""
+A tool is a module with main(words), which returns an exit code or None. NEEDS are the libraries without which it ends,
+WISHES those without which a part of its work is left out.
+A module loads none of them before it has read its words: --help needs Python alone."""
 
 import importlib
 import importlib.util
@@ -29,7 +30,8 @@ def load_tool(name: str) -> ModuleType:
 
 
 def count_missing(name: str) -> int:
-    """How many libraries this interpreter lacks of those that a tool can use. One that it needs counts as 16 of the others."""
+    """How many libraries this interpreter lacks of those that a tool can use.
+    One that it needs counts as 16 of the others."""
     tool = load_tool(name)
     needs, wishes = getattr(tool, "NEEDS", ()), getattr(tool, "WISHES", ())
     return 16 * sum(not is_there(library) for library in needs) + sum(not is_there(library) for library in wishes)

@@ -1,8 +1,8 @@
 """The state database of LS-DYNA (d3plot), as LS-PrePost, META and lasso-python read it.
 
-Source of the layout: LS-DYNA Database, Binary Output Files (Livermore Software Technology), section State Database. Words have four bytes,
-little-endian; text has four characters a word. The file d3plot holds control words, geometry, numbers and names of parts; d3plot01,
-d3plot02 ... hold states. Each ends with the word -999999.0."""
+Source of the layout: LS-DYNA Database, Binary Output Files (Livermore Software Technology), section State Database.
+Words have four bytes, little-endian; text has four characters a word. The file d3plot holds control words, geometry,
+numbers and names of parts; d3plot01, d3plot02 ... hold states. Each ends with the word -999999.0."""
 
 import numpy as np
 
@@ -15,15 +15,15 @@ LAYERS = 3  # of shells: middle, inner (bottom) and outer (top) surface
 SOLIDS, SHELLS, BEAMS = "solids", "shells", "beams"
 KINDS = {12: SOLIDS, 13: SOLIDS, 14: SOLIDS, 10: SOLIDS, 9: SHELLS, 5: SHELLS, 3: BEAMS}
 # Corners of VTK's cells in the places of a card of LS-DYNA.
-CORNERS = {12: (0, 1, 2, 3, 4, 5, 6, 7), 13: (0, 1, 4, 3, 2, 2, 5, 5), 14: (0, 1, 2, 3, 4, 4, 4, 4), 10: (0, 1, 2, 3, 3, 3, 3, 3),
-           9: (0, 1, 2, 3), 5: (0, 1, 2, 2), 3: (0, 1)}
+CORNERS = {12: (0, 1, 2, 3, 4, 5, 6, 7), 13: (0, 1, 4, 3, 2, 2, 5, 5), 14: (0, 1, 2, 3, 4, 4, 4, 4),
+           10: (0, 1, 2, 3, 3, 3, 3, 3), 9: (0, 1, 2, 3), 5: (0, 1, 2, 2), 3: (0, 1)}
 TITLE_WORDS = 18
 GLOBALS = 6
 MOST_ID = 2**31 - 1
 VERSION = 960.0  # of the layout; readers know byte order and size of words by a number from 900 to 1000 there
 # Fields that have a place in the file; of beams the components of a section.
-PLACES = ("displacement", "velocity", "stress", "stress_bottom", "stress_top", "equivalent_plastic_strain", "thickness", "alive",
-          "section_force", "section_moment")
+PLACES = ("displacement", "velocity", "stress", "stress_bottom", "stress_top", "equivalent_plastic_strain", "thickness",
+          "alive", "section_force", "section_moment")
 
 
 def list_left_out(selection):
@@ -92,7 +92,8 @@ class Database:
         words[11], words[12] = 1, 0  # file type: state database
         words[13:14] = np.frombuffer(b"R12 ", "<i4")
         words[14:15] = np.array([VERSION], "<f4").view("<i4")
-        words[15], words[16], words[17] = 4, self.fields.nodes, 6  # three dimensions with whole connectivity; code of LS-DYNA
+        # three dimensions with whole connectivity; code of LS-DYNA
+        words[15], words[16], words[17] = 4, self.fields.nodes, 6
         words[18] = GLOBALS + 7 * self.parts
         words[20:23] = 1, 1, 0  # positions, velocities, no accelerations
         for at, kind in ((23, SOLIDS), (28, BEAMS), (31, SHELLS)):
@@ -144,13 +145,15 @@ class Database:
         pieces.append(_floats(np.column_stack([stress[solids], strain[solids]])))
         force, moment = self._read("section_force", frame, 3), self._read("section_moment", frame, 3)
         pieces.append(_floats(np.column_stack([force[beams], moment[beams][:, [1, 2, 0]]])))
-        layers = [stress, *(self._read(name, frame, 6) if name in self.selection.names else stress for name in ("stress_bottom", "stress_top"))]
+        layers = [stress, *(self._read(name, frame, 6) if name in self.selection.names else stress
+                            for name in ("stress_bottom", "stress_top"))]
         columns = [column for layer in layers for column in (layer[shells], strain[shells])]
         if self.has_thickness:
             columns += [self._read("thickness", frame, 1)[shells], np.zeros((len(shells), 3))]
         pieces.append(_floats(np.column_stack(columns)))
         alive = self.fields.alive(frame)
-        pieces += [_floats(np.where(alive[chosen], self.fields.part[chosen] + 1, 0)) for chosen in (solids, shells, beams)]
+        pieces += [_floats(np.where(alive[chosen], self.fields.part[chosen] + 1, 0))
+                   for chosen in (solids, shells, beams)]
         return b"".join(pieces)
 
     def _read(self, name, frame, width):
@@ -160,16 +163,20 @@ class Database:
         return np.asarray(self.selection.data(name, frame), dtype=float).reshape(-1, width)
 
     def _find_globals(self, frame):
-        """Time; kinetic, internal and total energy, mean velocity (not known: 0); the same two energies of each part, then its velocity,
-        mass and hourglass energy."""
+        """Time; kinetic, internal and total energy, mean velocity (not known: 0); the same two energies of each part,
+        then its velocity, mass and hourglass energy."""
         time = float(self.fields.times[frame])
         kinetic, internal = self._at(time, "kinetic"), self._at(time, "internal")
-        by_part = [[self._at(time, f"{column}:{name}") for name in self.fields.part_names] for column in ("internal", "kinetic")]
-        rest = [[0.0] * (3 * self.parts), *([self._at(time, f"{column}:{name}") for name in self.fields.part_names] for column in ("mass", "hourglass"))]
-        return [time, kinetic, internal, kinetic + internal, 0, 0, 0, *(value for values in (*by_part, *rest) for value in values)]
+        by_part = [[self._at(time, f"{column}:{name}") for name in self.fields.part_names]
+                   for column in ("internal", "kinetic")]
+        rest = [[0.0] * (3 * self.parts), *([self._at(time, f"{column}:{name}") for name in self.fields.part_names]
+                                            for column in ("mass", "hourglass"))]
+        return [time, kinetic, internal, kinetic + internal, 0, 0, 0,
+                *(value for values in (*by_part, *rest) for value in values)]
 
     def _at(self, time, column):
-        return self.history.at(time, column) if self.history is not None and column in self.history and len(self.history) else 0.0
+        return (self.history.at(time, column)
+                if self.history is not None and column in self.history and len(self.history) else 0.0)
 
 
 def describe(database):
@@ -178,10 +185,13 @@ def describe(database):
     if left := list_left_out(database.selection):
         left_out.append(f"d3plot has no place for {clip(', '.join(left))}: left out")
     if zeros := list_zeros(database.selection):
-        left_out.append(f"{', '.join(zeros)}: not in the run (output.fields.write of the deck), or not chosen; zeros stand for it")
+        left_out.append(f"{', '.join(zeros)}: not in the run (output.fields.write of the deck), or not chosen; "
+                        "zeros stand for it")
     shells = len(database.elements[SHELLS]) > 0
-    if shells and "stress" in database.selection.names and not {"stress_bottom", "stress_top"} <= set(database.selection.names):
-        left_out.append("stress_bottom and stress_top are not in the run: all three layers of shells have the mean stress, without bending")
+    if (shells and "stress" in database.selection.names
+            and not {"stress_bottom", "stress_top"} <= set(database.selection.names)):
+        left_out.append("stress_bottom and stress_top are not in the run: all three layers of shells have the mean "
+                        "stress, without bending")
     if len(database.elements[BEAMS]) and not {"section_force", "section_moment"} <= set(database.selection.names):
         left_out.append("section_force and section_moment are not in the run: forces of beams are zeros")
     if database.are_renumbered:

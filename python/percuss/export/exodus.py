@@ -1,5 +1,5 @@
-"""Exodus II, as netCDF of 64-bit offsets, by SciPy: all frames in one file. Names of variables are those of the Exodus II manual
-(Sandia report SAND92-2137)."""
+"""Exodus II, as netCDF of 64-bit offsets, by SciPy: all frames in one file. Names of variables are those of the Exodus
+II manual (Sandia report SAND92-2137)."""
 
 import io
 
@@ -26,7 +26,8 @@ def _list_blocks(fields):
         kinds = np.unique(fields.kinds[fields.part == part])
         for kind in kinds:
             label = name if len(kinds) == 1 else f"{name}_{BLOCKS[kind][0].lower()}"
-            found.append(_Block(len(found) + 1, label, int(kind), np.flatnonzero((fields.part == part) & (fields.kinds == kind))))
+            found.append(_Block(len(found) + 1, label, int(kind),
+                                np.flatnonzero((fields.part == part) & (fields.kinds == kind))))
     return found
 
 
@@ -39,7 +40,8 @@ def write_exodus(selection):
     file.api_version = file.version = np.float32(5.03)
     file.writer = make_mark("export")
     file.floating_point_word_size, file.file_size, file.title = np.int32(8), np.int32(1), selection.title[:80]
-    for name, size in (("time_step", None), ("len_string", 33), ("len_line", 81), ("len_name", NAME), ("four", 4), ("num_dim", 3),
+    for name, size in (("time_step", None), ("len_string", 33), ("len_line", 81), ("len_name", NAME), ("four", 4),
+                       ("num_dim", 3),
                        ("num_nodes", fields.nodes), ("num_elem", fields.elements), ("num_el_blk", len(blocks))):
         file.createDimension(name, size)
     _add_mesh(file, fields, blocks)
@@ -56,7 +58,8 @@ def _add(file, name, kind, dimensions, values):
 
 def _names(words):
     """Texts as rows of characters."""
-    return np.array([list(word.encode("ascii", "replace")[: NAME - 1].ljust(NAME, b"\0")) for word in words], dtype="u1").view("S1")
+    return np.array([list(word.encode("ascii", "replace")[: NAME - 1].ljust(NAME, b"\0")) for word in words],
+                    dtype="u1").view("S1")
 
 
 def _add_mesh(file, fields, blocks):
@@ -64,7 +67,8 @@ def _add_mesh(file, fields, blocks):
         _add(file, f"coord{axis}", "d", ("num_nodes",), values)
     _add(file, "coor_names", "c", ("num_dim", "len_name"), _names("xyz"))
     _add(file, "node_num_map", "i", ("num_nodes",), fields.node_ids)
-    _add(file, "elem_num_map", "i", ("num_elem",), np.concatenate([fields.element_ids[block.elements] for block in blocks]))
+    _add(file, "elem_num_map", "i", ("num_elem",),
+         np.concatenate([fields.element_ids[block.elements] for block in blocks]))
     _add(file, "eb_status", "i", ("num_el_blk",), np.ones(len(blocks)))
     _add(file, "eb_prop1", "i", ("num_el_blk",), np.arange(1, len(blocks) + 1)).name = "ID"
     _add(file, "eb_names", "c", ("num_el_blk", "len_name"), _names(block.name for block in blocks))
@@ -95,12 +99,15 @@ def _add_variables(file, selection, blocks):
     for place, variables in (("nod", of_nodes), ("elem", of_elements)):
         if variables:
             file.createDimension(f"num_{place}_var", len(variables))
-            _add(file, f"name_{place}_var", "c", (f"num_{place}_var", "len_name"), _names(word for word, _, _ in variables))
+            _add(file, f"name_{place}_var", "c", (f"num_{place}_var", "len_name"),
+                 _names(word for word, _, _ in variables))
     if of_elements:
         _add(file, "elem_var_tab", "i", ("num_el_blk", "num_elem_var"), np.ones((len(blocks), len(of_elements))))
-    nodal = [file.createVariable(f"vals_nod_var{k}", "d", ("time_step", "num_nodes")) for k in range(1, len(of_nodes) + 1)]
-    elemental = [[file.createVariable(f"vals_elem_var{k}eb{block.number}", "d", ("time_step", f"num_el_in_blk{block.number}"))
-                  for block in blocks] for k in range(1, len(of_elements) + 1)]
+    nodal = [file.createVariable(f"vals_nod_var{k}", "d", ("time_step", "num_nodes"))
+             for k in range(1, len(of_nodes) + 1)]
+    elemental = [
+        [file.createVariable(f"vals_elem_var{k}eb{block.number}", "d", ("time_step", f"num_el_in_blk{block.number}"))
+         for block in blocks] for k in range(1, len(of_elements) + 1)]
     for row, frame in enumerate(selection.frames):
         times[row] = selection.fields.times[frame]
         data = {name: np.asarray(selection.data(name, frame), dtype=float) for name in selection.names}

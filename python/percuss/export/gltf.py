@@ -22,8 +22,8 @@ class _Buffer:
         values = np.ascontiguousarray(values, dtype="<u4" if kind == "INDEX" else "<f4")
         data = values.tobytes()
         self.views.append({"buffer": 0, "byteOffset": self.size, "byteLength": len(data)})
-        accessor = {"bufferView": len(self.views) - 1, "componentType": WHOLE if kind == "INDEX" else FLOAT, "count": len(values),
-                    "type": "SCALAR" if kind == "INDEX" else kind}
+        accessor = {"bufferView": len(self.views) - 1, "componentType": WHOLE if kind == "INDEX" else FLOAT,
+                    "count": len(values), "type": "SCALAR" if kind == "INDEX" else kind}
         if bounds:
             rows = values.reshape(len(values), -1)
             accessor["min"], accessor["max"] = rows.min(axis=0).tolist(), rows.max(axis=0).tolist()
@@ -34,8 +34,8 @@ class _Buffer:
 
 
 def write_glb(selection, field=None):
-    """Bytes of the file. field: what colours show, in the last frame; None for a colour for each part. Only elements that are active in
-    the last frame are shown. Lengths are in metres where the deck has units."""
+    """Bytes of the file. field: what colours show, in the last frame; None for a colour for each part. Only elements
+    that are active in the last frame are shown. Lengths are in metres where the deck has units."""
     fields, frames = selection.fields, selection.frames
     scale = _find_scale(fields)
     positions = [fields.positions(frame) * scale for frame in frames]
@@ -53,8 +53,10 @@ def write_glb(selection, field=None):
                      "indices": buffer.add(triangles.reshape(-1), "INDEX"), "material": 0 if field else part}
         if colors is not None:
             primitive["attributes"]["COLOR_0"] = buffer.add(colors[used], "VEC3")
-        primitive["targets"] = [{"POSITION": buffer.add(moved[used] - positions[0][used], "VEC3", True)} for moved in positions[1:]]
-        meshes.append({"name": name, "primitives": [primitive], **({"weights": [0.0] * (len(frames) - 1)} if len(frames) > 1 else {})})
+        primitive["targets"] = [{"POSITION": buffer.add(moved[used] - positions[0][used], "VEC3", True)}
+                                for moved in positions[1:]]
+        meshes.append({"name": name, "primitives": [primitive],
+                       **({"weights": [0.0] * (len(frames) - 1)} if len(frames) > 1 else {})})
         nodes.append({"name": name, "mesh": len(meshes) - 1})
     return _pack(_describe(fields, field, frames, meshes, nodes, buffer), buffer)
 
@@ -83,16 +85,20 @@ def _color_nodes(fields, field, frame):
 
 
 def _describe(fields, field, frames, meshes, nodes, buffer):
-    shades = [[1.0] * 3] if field else [[channel**GAMMA for channel in part_color(part)] for part in range(len(fields.part_names))]
+    shades = ([[1.0] * 3] if field
+              else [[channel**GAMMA for channel in part_color(part)] for part in range(len(fields.part_names))])
     document = {"asset": {"version": "2.0", "generator": make_mark("export")}, "scene": 0,
-                "scenes": [{"name": fields.title or "percuss", "nodes": list(range(len(nodes)))}], "nodes": nodes, "meshes": meshes,
-                "materials": [{"doubleSided": True, "pbrMetallicRoughness": {"baseColorFactor": [*shade, 1.0], "metallicFactor": 0.1,
-                                                                             "roughnessFactor": 0.6}} for shade in shades]}
+                "scenes": [{"name": fields.title or "percuss", "nodes": list(range(len(nodes)))}], "nodes": nodes,
+                "meshes": meshes, "materials":
+                [{"doubleSided": True, "pbrMetallicRoughness": {"baseColorFactor": [*shade, 1.0], "metallicFactor": 0.1,
+                                                                "roughnessFactor": 0.6}} for shade in shades]}
     if len(frames) > 1:
         times = buffer.add(np.linspace(0, SECONDS, len(frames)), "SCALAR", True)
         weights = buffer.add(np.eye(len(frames))[:, 1:].reshape(-1), "SCALAR")
-        document["animations"] = [{"name": "motion", "samplers": [{"input": times, "output": weights, "interpolation": "LINEAR"}],
-                                   "channels": [{"sampler": 0, "target": {"node": number, "path": "weights"}} for number in range(len(nodes))]}]
+        document["animations"] = [{"name": "motion",
+                                   "samplers": [{"input": times, "output": weights, "interpolation": "LINEAR"}],
+                                   "channels": [{"sampler": 0, "target": {"node": number, "path": "weights"}}
+                                                for number in range(len(nodes))]}]
     document.update(accessors=buffer.accessors, bufferViews=buffer.views, buffers=[{"byteLength": buffer.size}])
     return document
 

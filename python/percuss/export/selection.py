@@ -8,7 +8,8 @@ VECTOR = ("x", "y", "z")
 
 
 class Selection:
-    """Attributes: fields (a Fields), frames (numbers), names {field: 'node' or 'element'}, of those that were chosen."""
+    """Attributes: fields (a Fields), frames (numbers), names {field:
+    'node' or 'element'}, of those that were chosen."""
 
     def __init__(self, fields, frames="all", names=None):
         self.fields = fields
@@ -16,7 +17,8 @@ class Selection:
         known = {name: place for name, place in fields.names().items() if name != "part"}  # every file has the part
         for name in names or ():
             if name not in known:
-                raise NotResults(f"there is no field '{name}' in {fields.path}{suggest(name, known)} (it has {', '.join(sorted(known))})")
+                raise NotResults(f"there is no field '{name}' in {fields.path}{suggest(name, known)} "
+                                 f"(it has {', '.join(sorted(known))})")
         self.names = {name: known[name] for name in (names or known)}
 
     @property
@@ -39,7 +41,8 @@ def parse_frames(text, count):
             low, high = (_find_frame(int(w), count) for w in (first, last))
             found.update(range(low, high + 1, int(step or 1)))
         except ValueError:
-            raise NotResults(f"'{text}' names no frames (all, 0,5,-1 or 0..20:5; there are {count}, from 0 to {count - 1})") from None
+            raise NotResults(f"'{text}' names no frames (all, 0,5,-1 or 0..20:5; "
+                             f"there are {count}, from 0 to {count - 1})") from None
     if not found:
         raise NotResults(f"'{text}' names no frame")
     return sorted(found)

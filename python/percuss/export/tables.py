@@ -22,7 +22,8 @@ def write_tables(selection, frame):
         heads[place] += [f"{word} [{unit}]" if unit else word for word in name_components(name, values.shape[1])]
         columns[place] += list(values.T)
     time = f"# {make_mark('export')}; t = {float(fields.times[frame])!r} {fields.time_unit}".rstrip() + "\n"
-    return {"nodes": time + _write(heads["node"], columns["node"]), "elements": time + _write(heads["element"], columns["element"])}
+    return {"nodes": time + _write(heads["node"], columns["node"]),
+            "elements": time + _write(heads["element"], columns["element"])}
 
 
 def _name_positions(fields):

@@ -16,8 +16,8 @@ formats, written into DIR/export or the folder of --out:
   vtu      a file of VTK for each frame (ParaView, VisIt, PyVista)
   pvd      the same and a list of them with their times
   exodus   fields.e, Exodus II: all frames, parts as blocks with their names (ParaView, Cubit, SEACAS); needs SciPy
-  d3plot   LS-DYNA's state database: d3plot, d3plot01 ... (LS-PrePost, META, Animator, lasso-python); parts by name, positions, velocities,
-           stress, plastic strain, thickness, forces of beams, deletion
+  d3plot   LS-DYNA's state database: d3plot, d3plot01 ... (LS-PrePost, META, Animator, lasso-python); parts by name,
+           positions, velocities, stress, plastic strain, thickness, forces of beams, deletion
   csv      nodes and elements of each frame as tables
   gltf     fields.glb: the surface with its motion, for browsers, slides and Blender
 
@@ -26,8 +26,10 @@ examples:
   percuss export ball --format pvd --frames 0..30:5 --field velocity,von_mises
   percuss export ball --format gltf --field equivalent_plastic_strain --out pictures
 
-Exit codes: 0 done; 2 a folder, a frame, a field or an option is wrong, or a library is missing; 4 a file cannot be written.
-Needs Python 3 with NumPy and h5py, exodus SciPy too: scripts/install_dependencies --report installs them. See docs/export.md.
+Exit codes: 0 done; 2 a folder, a frame, a field or an option is wrong, or a library is missing;
+4 a file cannot be written.
+Needs Python 3 with NumPy and h5py, exodus SciPy too:
+scripts/install_dependencies --report installs them. See docs/export.md.
 """
 
 
@@ -39,10 +41,12 @@ def parse_arguments(words):
     add("dir", metavar="DIR", help="the output folder of a run, complete or under way")
     add("--format", choices=FORMATS, required=True, help="what is written")
     add("--frames", metavar="FRAMES", default="all", help="all, or numbers such as 0,5,-1 or 0..20:5 (default: all)")
-    add("--field", dest="fields", metavar="NAMES", help="names of fields with commas between them (default: all; of gltf the one that colours show)")
+    add("--field", dest="fields", metavar="NAMES",
+        help="names of fields with commas between them (default: all; of gltf the one that colours show)")
     add("--from", dest="source", metavar="NAME", help="an entry of output.field_outputs (default: output.fields)")
     add("--out", metavar="FOLDER", help="where the files go (default: DIR/export)")
-    add("-f", "--force", action="store_true", help="write over files that percuss export has not written; never over results of a run")
+    add("-f", "--force", action="store_true",
+        help="write over files that percuss export has not written; never over results of a run")
     return parser.parse_args(join_frames(words))
 
 
@@ -99,7 +103,8 @@ def list_gltf(selection, stem, names):
     if names and len(names) > 1:
         raise ValueError("the colours of gltf show one field: name one in --field")
     if len(selection.frames) > 60:
-        note(f"{len(selection.frames)} frames are many for viewers of glTF: --frames 0..{selection.frames[-1]}:{len(selection.frames) // 30} takes fewer")
+        note(f"{len(selection.frames)} frames are many for viewers of glTF: --frames "
+             f"0..{selection.frames[-1]}:{len(selection.frames) // 30} takes fewer")
     yield f"{stem}.glb", write_glb(selection, names[0] if names else None)
 
 
@@ -120,7 +125,8 @@ def list_files(arguments, selection, run, names):
 
 
 def remove_earlier_states(folder, force):
-    """Of an earlier d3plot of this tool: readers would take what is left for later states. Whether files of the family may be replaced."""
+    """Of an earlier d3plot of this tool: readers would take what is left for later states.
+    Whether files of the family may be replaced."""
     from percuss.files import check_target
 
     geometry = os.path.join(folder, "d3plot")
@@ -153,7 +159,8 @@ def export(arguments):
         count, size = count + 1, size + os.path.getsize(path)
     if run.fields.walls.size or len(run.fields.walls_at(0)) or len(run.fields.round_walls_at(0)):
         note("rigid walls are not written")
-    print_text(f"export: {path if count == 1 else f'{count} files in {folder}'} ({len(selection.frames)} frame{'s' * (len(selection.frames) > 1)}, {size / 1e6:.2g} MB)")
+    print_text(f"export: {path if count == 1 else f'{count} files in {folder}'} "
+               f"({len(selection.frames)} frame{'s' * (len(selection.frames) > 1)}, {size / 1e6:.2g} MB)")
 
 
 def main(words):

@@ -18,8 +18,8 @@ from percuss.results.units import choose_time_unit, choose_unit
 from .panels import Panel
 from .series import find_controlling_parts, make_curve, thin
 
-COLORS = ("#1f6fb2", "#d1495b", "#3a8f4d", "#b3701f", "#7b5ea7", "#2a9d9d", "#8a5a44", "#c05fa0", "#6b7280", "#a3a300", "#444444",
-          "#0f4c5c")  # those of curves; told apart by colour-blind readers together with the styles of runs
+COLORS = ("#1f6fb2", "#d1495b", "#3a8f4d", "#b3701f", "#7b5ea7", "#2a9d9d", "#8a5a44", "#c05fa0", "#6b7280", "#a3a300",
+          "#444444", "#0f4c5c")  # those of curves; told apart by colour-blind readers together with the styles of runs
 STYLES = ("-", (0, (5, 2)), (0, (1.5, 1.5)), (0, (5, 1.5, 1, 1.5)))
 SMALL_NUMBER = 1e-2  # numbers without a unit below it are shown in thousandths, millionths ...
 SUPERSCRIPTS = str.maketrans("-0123456789", "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079")
@@ -28,10 +28,10 @@ SAME_CURVE = 1e-9  # of the largest value: curves that differ by less are one
 MOST_TICKS = 7  # intervals of the abscissa: labels of a narrow panel do not touch
 CLOSE_MARKS = 0.02  # of the width of a panel
 INK, GRID, MARK = "#2b2f36", "#e3e6ea", "#b45309"
-SETTINGS = {"font.family": ["DejaVu Sans", "sans-serif"], "font.size": 9, "axes.edgecolor": "#9aa1a8", "axes.labelcolor": INK,
-            "text.color": INK, "xtick.color": INK, "ytick.color": INK, "axes.grid": True, "grid.color": GRID,
-            "svg.fonttype": "none", "svg.hashsalt": "percuss", "axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False,
-            "path.simplify": True}
+SETTINGS = {"font.family": ["DejaVu Sans", "sans-serif"], "font.size": 9, "axes.edgecolor": "#9aa1a8",
+            "axes.labelcolor": INK, "text.color": INK, "xtick.color": INK, "ytick.color": INK, "axes.grid": True,
+            "grid.color": GRID, "svg.fonttype": "none", "svg.hashsalt": "percuss", "axes.spines.top": False,
+            "axes.spines.right": False, "legend.frameon": False, "path.simplify": True}
 
 
 def _coincide(history, one, other):
@@ -56,10 +56,12 @@ class Plot:
         else:
             largest = max((find_size(h[options.x]) for _, _, h in runs), default=0)
             unit = history.unit(options.x)
-            self.x_unit, self.x_factor = (unit, 1.0) if history.has_given_unit(options.x) else choose_unit(unit, largest)
+            self.x_unit, self.x_factor = ((unit, 1.0) if history.has_given_unit(options.x)
+                                          else choose_unit(unit, largest))
 
     def draw_all(self, panels, size, title=""):
-        """One figure of all panels, in two columns where there are more than two. size: (width, height) in inches or None."""
+        """One figure of all panels, in two columns where there are more than two.
+        size: (width, height) in inches or None."""
         columns = 1 if len(panels) <= 2 else 2
         rows = -(-len(panels) // columns)
         with rc_context(SETTINGS):
@@ -112,14 +114,16 @@ class Plot:
         return copies
 
     def _add_legend(self, axes, panel, hidden):
-        """Columns by their colours and runs by their styles: not a line for each pair of them. Curves that coincide have one line."""
+        """Columns by their colours and runs by their styles: not a line for each pair of them.
+        Curves that coincide have one line."""
         entries = list(axes.get_legend_handles_labels()[0])
         if len(panel.columns) > 1:
             for curve, name in enumerate(panel.columns):
                 if name in hidden:
                     continue
                 owner = next(history for _, _, history in self.runs if name in history)
-                label = " =\n".join([owner.label(name), *(owner.label(copy) for copy, shown in hidden.items() if shown == name)])
+                label = " =\n".join([owner.label(name),
+                                     *(owner.label(copy) for copy, shown in hidden.items() if shown == name)])
                 entries.append(Line2D([], [], color=COLORS[curve % len(COLORS)], label=label))
         if len(self.runs) > 1 or self.test is not None:
             for number, (label, _, _) in enumerate(self.runs):
@@ -143,7 +147,8 @@ class Plot:
             power = 3 * math.floor(math.log10(largest) / 3)
             return "10" + str(power).translate(SUPERSCRIPTS), 10.0**-power
         is_given = any(history.has_given_unit(name) for _, _, history in self.runs for name in panel.columns)
-        return choose_unit(units.pop(), largest) if len(units) == 1 and not is_given else (", ".join(sorted(u or "-" for u in units)), 1.0)
+        return (choose_unit(units.pop(), largest) if len(units) == 1 and not is_given
+                else (", ".join(sorted(u or "-" for u in units)), 1.0))
 
     def _color_by_part(self, axes, run, history, factor):
         """Dots on the curve of the step, in the colour of the part whose element controls it."""
@@ -164,7 +169,8 @@ class Plot:
         history = next((h for _, _, h in self.runs if panel.columns[0] in h), self.runs[0][2])
         single = len(panel.columns) == 1
         meaning = history.label(panel.columns[0])
-        title = panel.title if panel.title and not (single and panel.title == panel.columns[0]) else meaning if single else ""
+        title = (panel.title if panel.title and not (single and panel.title == panel.columns[0])
+                 else meaning if single else "")
         title = title if "(" in title else title[:1].upper() + title[1:]
         axes.set_title(title, loc="left", fontsize=10, fontweight="bold")
         words = "time" if self.options.x == "time" else self.runs[0][2].label(self.options.x)
@@ -205,8 +211,8 @@ class Plot:
                 groups.append((place, []))
             groups[-1][1].append(str(number))
         for place, numbers in groups:
-            axes.annotate(",".join(numbers), (place, 0.99), xycoords=("data", "axes fraction"), fontsize=7, color=MARK, ha="left",
-                          va="top", xytext=(2, 0), textcoords="offset points")
+            axes.annotate(",".join(numbers), (place, 0.99), xycoords=("data", "axes fraction"), fontsize=7, color=MARK,
+                          ha="left", va="top", xytext=(2, 0), textcoords="offset points")
 
     def list_marks(self):
         """[(time, text)] of the warnings that were found in steps, all runs, the first in time first."""
@@ -235,5 +241,6 @@ def save(figure, path, force=False, dpi=110):
     form, stream = os.path.splitext(path)[1][1:].lower(), io.BytesIO()
     mark = make_mark("plot")
     with rc_context(SETTINGS):
-        figure.savefig(stream, format=form, dpi=dpi, metadata={"Date": None, "Creator": mark} if form == "svg" else {"Software": mark})
+        figure.savefig(stream, format=form, dpi=dpi,
+                       metadata={"Date": None, "Creator": mark} if form == "svg" else {"Software": mark})
     write_file(path, stream.getvalue(), "plot", force)

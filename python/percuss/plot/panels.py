@@ -7,7 +7,8 @@ from percuss.nearest import suggest
 from percuss.results.expressions import check_syntax
 from percuss.results.extremes import find_size
 
-ENERGIES = ("kinetic", "internal", "hourglass", "viscous", "folding", "contact", "friction", "damping", "external", "contact_stored", "eroded_energy")
+ENERGIES = ("kinetic", "internal", "hourglass", "viscous", "folding", "contact", "friction", "damping", "external",
+            "contact_stored", "eroded_energy")
 FORCES = ("wall_force_x", "wall_force_y", "wall_force_z")
 SMALL_FORCE = 0.01  # of the largest force: smaller columns are left out of the panel of forces
 MOST_NAMES = 40  # of columns in a message
@@ -36,8 +37,10 @@ def list_panels(histories):
     def among(wanted, always=()):
         return [name for name in wanted if name in names and (name in always or moves(name))]
 
-    forces = list(FORCES) + [n for n in names if n not in FORCES and any(n in h and h.dimension(n) == "force" for h in histories)]
-    accelerations = [n for n in names if any(n in h and h.dimension(n) == "acceleration" for h in histories) and moves(n)]
+    forces = (list(FORCES)
+              + [n for n in names if n not in FORCES and any(n in h and h.dimension(n) == "force" for h in histories)])
+    accelerations = [n
+                     for n in names if any(n in h and h.dimension(n) == "acceleration" for h in histories) and moves(n)]
     forces = _leave_out_small(among(forces), histories)
     panels = [
         Panel("energies", "Energies", among(ENERGIES, ("kinetic", "internal"))),
@@ -51,8 +54,10 @@ def list_panels(histories):
         Panel("penetration", "Penetration that contact leaves, over the edge of a face", among(("residual",))),
         Panel("contact_pairs", "Work of contact by pair",
               [n for n in names if n.startswith(("contact:", "friction:")) and moves(n)][:MOST_CURVES]),
-        Panel("kinetic_by_part", "Kinetic energy by part", [n for n in names if n.startswith("kinetic:")][:MOST_CURVES]),
-        Panel("internal_by_part", "Internal energy by part", [n for n in names if n.startswith("internal:")][:MOST_CURVES]),
+        Panel("kinetic_by_part", "Kinetic energy by part",
+              [n for n in names if n.startswith("kinetic:")][:MOST_CURVES]),
+        Panel("internal_by_part",
+              "Internal energy by part", [n for n in names if n.startswith("internal:")][:MOST_CURVES]),
         Panel("glue", "Energy of glue", among(("glue_work", "glue_dissipated"))),
         Panel("glue_failure", "Failed area of glue", among(("glue_failed",))),
         Panel("erosion", "Eroded elements", among(("eroded_elements",))),
@@ -71,12 +76,14 @@ def _leave_out_small(names, histories):
     return [name for name in names if not largest[name] < least]
 
 
-DEFAULT = ("energies", "energy_error", "momentum", "forces", "accelerations", "step", "contact", "penetration", "glue", "glue_failure", "erosion")
+DEFAULT = ("energies", "energy_error", "momentum", "forces", "accelerations", "step", "contact", "penetration", "glue",
+           "glue_failure", "erosion")
 
 
 def choose_panels(words, histories):
-    """A panel for each word: a name of list_panels, a column, a pattern such as 'kinetic:*', or several of these with commas
-    between them, drawn over each other. '=contact' is the column where a panel has its name. Without words the default."""
+    """A panel for each word: a name of list_panels, a column, a pattern such as 'kinetic:*', or several of these with
+    commas between them, drawn over each other. '=contact' is the column where a panel has its name.
+    Without words the default."""
     known = list_panels(histories)
     if not words:
         return [known[name] for name in DEFAULT if name in known]
@@ -86,7 +93,8 @@ def choose_panels(words, histories):
 
 def choose_columns(word, histories):
     """The columns of a word; BadChoice where there are none."""
-    return _choose_columns(word, list(dict.fromkeys(name for history in histories for name in history.everything)), {}).columns
+    return _choose_columns(word, list(dict.fromkeys(name for history in histories for name in history.everything)),
+                           {}).columns
 
 
 def _hint(word, names, known):
@@ -100,7 +108,8 @@ def _hint(word, names, known):
 def _choose_columns(word, names, known):
     columns = []
     for part in [word] if word in names else word.split(","):
-        found = [part] if part in names else fnmatch.filter(names, part) or (known[part].columns if part in known else [])
+        found = ([part] if part in names
+                 else fnmatch.filter(names, part) or (known[part].columns if part in known else []))
         if not found:
             check_syntax(word, names)
             raise BadChoice(f"there is no column '{part}'{_hint(part, names, known)}")

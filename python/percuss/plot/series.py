@@ -79,14 +79,15 @@ class _Filtered:
 
 
 def add_expressions(words, histories, options, known=()):
-    """The words, with the name of a new column in place of each expression, which may have a label: 'crush = integral(fx:a, top_x)',
-    with a unit: 'acceleration [g] = sensor_az'.
+    """The words, with the name of a new column in place of each expression, which may have a label: 'crush =
+    integral(fx:a, top_x)', with a unit: 'acceleration [g] = sensor_az'.
     known: what is no expression whatever it looks like. BadExpression where one cannot be computed in any history."""
     named = []
     for word in words:
         label, text = split_label(word)
         names = [name for history in histories for name in history.everything]
-        is_column = label == text and (word in known or all(piece in names or piece in known for piece in word.split(",")))
+        is_column = (label == text
+                     and (word in known or all(piece in names or piece in known for piece in word.split(","))))
         if is_column or word.startswith("=") or (label == text and not is_expression(text, names)):
             named.append(word)
             continue
@@ -119,7 +120,8 @@ def choose_abscissa(word, histories, options):
 
 
 def is_too_short(history, channel_class):
-    """Whether a filter of this class takes the whole history for less than a period of the frequency that it weakens by 3 dB."""
+    """Whether a filter of this class takes the whole history for less than a period of the frequency
+    that it weakens by 3 dB."""
     seconds = history.units.time[1] if history.units else 1.0
     return len(history) > 1 and (history["time"][-1] - history["time"][0]) * seconds * channel_class / 0.6 < 1
 
@@ -141,8 +143,8 @@ def thin(time, values, most=MOST_POINTS):
 
 
 def find_controlling_parts(run, history):
-    """[rows] number of the part whose element controls the step, -1: not known; and the names of the parts. None without
-    fields."""
+    """[rows] number of the part whose element controls the step, -1: not known; and the names of the parts. None
+    without fields."""
     if "dt_element" not in history or not run.has_fields:
         return None
     fields = run.fields

@@ -19,7 +19,8 @@ def save(plot, panels, path, force=False):
             run = f" ({label})" if len(plot.runs) > 1 else ""
             for head, values in zip((plot.options.x, name), make_curve(history, name, plot.options)):
                 unit = history.unit(head)
-                columns.append([f"{head}{f' [{unit}]' if unit else ''}{run}", *(repr(float(value)) for value in values)])
+                columns.append([f"{head}{f' [{unit}]' if unit else ''}{run}",
+                                *(repr(float(value)) for value in values)])
     stream = io.StringIO()
     stream.write(f"# {make_mark('plot')}\n")
     csv.writer(stream, lineterminator="\n").writerows(zip_longest(*columns, fillvalue=""))

@@ -9,7 +9,8 @@ from percuss.terminal import fail as end
 
 NEEDS = ("numpy", "h5py", "matplotlib")
 ENDINGS = (".png", ".svg", ".csv")
-OTHER_ENDINGS = (".pdf", ".eps", ".ps", ".jpg", ".jpeg", ".gif", ".tif", ".tiff", ".bmp", ".webp", ".txt", ".dat", ".xls", ".xlsx", ".html")
+OTHER_ENDINGS = (".pdf", ".eps", ".ps", ".jpg", ".jpeg", ".gif", ".tif", ".tiff", ".bmp", ".webp", ".txt", ".dat",
+                 ".xls", ".xlsx", ".html")
 EPILOG = """\
 WHAT is drawn, a panel for each word; by default energies, their error, momentum, forces, the time step with the part
 that controls it, contact and its penetration:
@@ -18,9 +19,10 @@ that controls it, contact and its penetration:
   a column   of history.csv, such as kinetic; --list names those of a run; =contact where a panel has its name
   a pattern  'f?:impact' overlays all columns that match
   several    kinetic,internal overlays both
-  an expression of columns, with a label or not: 'crush = integral(wall_force_z, top_z) / 1e3'. It may have + - * / ** ( ),
-             abs sqrt exp log sin cos tan min max first last change mean norm; integral(y, x) and derivative(y, x), over time without
-             x; resultant('hit') of fx:hit, fy:hit, fz:hit; distance('a', 'b') of two history nodes; cfc(y, 600)
+  an expression of columns, with a label or not: 'crush = integral(wall_force_z, top_z) / 1e3'. It may have + - * / **,
+             ( ), abs sqrt exp log sin cos tan min max first last change mean norm; integral(y, x) and derivative(y, x),
+             over time without x; resultant('hit') of fx:hit, fy:hit, fz:hit; distance('a', 'b') of two history nodes;
+             cfc(y, 600)
 
 Warnings of the run are dashed lines at the time at which they were first found, with numbers; their names are printed.
 Curves of several folders are overlaid, each run in a style of its own.
@@ -35,7 +37,8 @@ examples:
   percuss plot ball --list                     columns with their units and meanings
 
 Exit codes: 0 done; 2 a folder, a column or an option is wrong, or a library is missing.
-Needs Python 3 with NumPy and Matplotlib, and h5py for units and parts: scripts/install_dependencies --report installs them.
+Needs Python 3 with NumPy and Matplotlib, and h5py for units and parts:
+scripts/install_dependencies --report installs them.
 See docs/results.md; docs/output.md describes the columns.
 """
 
@@ -47,18 +50,25 @@ def parse_arguments(words):
     add = parser.add_argument
     add("words", metavar="DIR|WHAT", nargs="+",
         help="output folders of runs, complete or under way; any other word says what to plot")
-    add("--out", metavar="FILE", help="the picture, .png or .svg, or the curves as .csv; without an ending PNG and SVG (default: plot in the first DIR)")
+    add("--out", metavar="FILE", help="the picture, .png or .svg, or the curves as .csv; "
+                                      "without an ending PNG and SVG (default: plot in the first DIR)")
     add("--x", metavar="COLUMN", default="time", help="the abscissa: a column or an expression (default: time)")
-    add("--test", metavar="FILE", help="a measured curve (CSV: x, y and, if there is a corridor, low and high) in the units of the deck, or of --units; "
-        "runs are rated against it by ISO/TS 18571. For one curve")
+    add("--test", metavar="FILE",
+        help="a measured curve (CSV: x, y and, if there is a corridor, low and high) in the units of the deck, "
+             "or of --units; runs are rated against it by ISO/TS 18571. For one curve")
     add("--cfc", metavar="CLASS", type=int, choices=(60, 180, 600, 1000), default=0,
-        help="filter all columns by a channel frequency class of SAE J211: 60, 180, 600 or 1000 (without shift of phase)")
-    add("--cfc-after", metavar="CLASS", type=int, choices=(60, 180, 600, 1000), default=0, help="the same of what expressions give")
-    add("--units", metavar="SYSTEM", help="convert to a system of units, such as 'mm, kg, ms' (default: that of the deck)")
-    add("--from", dest="start", metavar="TIME", type=float, default=float("-inf"), help="start of the time range, in these units")
+        help="filter all columns by a channel frequency class of SAE J211: 60, 180, 600 or 1000 "
+             "(without shift of phase)")
+    add("--cfc-after", metavar="CLASS", type=int, choices=(60, 180, 600, 1000), default=0,
+        help="the same of what expressions give")
+    add("--units", metavar="SYSTEM",
+        help="convert to a system of units, such as 'mm, kg, ms' (default: that of the deck)")
+    add("--from", dest="start", metavar="TIME", type=float, default=float("-inf"),
+        help="start of the time range, in these units")
     add("--to", dest="end", metavar="TIME", type=float, default=float("inf"), help="end of the time range")
     add("--size", metavar="WxH", type=parse_size, help="size of the PNG in pixels (default: by the number of panels)")
-    add("-f", "--force", action="store_true", help="write over a file that percuss plot has not written; never over results of a run")
+    add("-f", "--force", action="store_true",
+        help="write over a file that percuss plot has not written; never over results of a run")
     add("--list", action="store_true", help="list the columns of each run with unit and meaning; plot nothing")
     return parser.parse_intermixed_args(words)  # options may stand between folders and curves
 
@@ -110,7 +120,8 @@ def plot(arguments, runs, words):
     paths = choose_files(arguments.out, runs[0])
     for path in paths:
         check_target(path, "plot", arguments.force)
-    options = Options(arguments.cfc, arguments.cfc_after, "time", Units(arguments.units) if arguments.units else None, arguments.start, arguments.end)
+    options = Options(arguments.cfc, arguments.cfc_after, "time", Units(arguments.units) if arguments.units else None,
+                      arguments.start, arguments.end)
     labels = [run.name if [r.name for r in runs].count(run.name) == 1 else run.folder for run in runs]
     histories = [prepare_history(run, options) for run in runs]
     known = list_panels(histories)
@@ -145,7 +156,8 @@ def print_ratings(shown, panels):
     if len(panels) != 1 or len(panels[0].columns) != 1:
         raise ValueError("--test is for one curve: name one column or one expression")
     for label, _, history in shown.runs:
-        for text in shown.test.judge(*make_curve(history, panels[0].columns[0], shown.options), shown.options.x == "time"):
+        for text in shown.test.judge(*make_curve(history, panels[0].columns[0], shown.options),
+                                     shown.options.x == "time"):
             print_text(f"plot: {label} against {shown.test.label}: {text}")
 
 
@@ -155,7 +167,8 @@ def warn_of_short_signals(shown, channel_class):
 
     for label, _, history in shown if channel_class else ():
         if is_too_short(history, channel_class):
-            print_text(f"plot: {label}: the signal is shorter than one period of the cut-off frequency of CFC {channel_class} (the filter hides the event): "
+            print_text(f"plot: {label}: the signal is shorter than one period of the cut-off frequency of CFC "
+                       f"{channel_class} (the filter hides the event): "
                  "use a higher class, or none", sys.stderr)
 
 

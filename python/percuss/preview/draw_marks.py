@@ -1,7 +1,8 @@
-"""Draws the first frame of a run with marks beside the bodies: python3 -m percuss.preview.draw_marks FIELDS LAYERS.npz FOLDER AZIMUTH:ELEVATION ...
+"""Draws the first frame of a run with marks beside the bodies:
+python3 -m percuss.preview.draw_marks FIELDS LAYERS.npz FOLDER AZIMUTH:ELEVATION ...
 
-It is a program of its own because VTK ends a program that it cannot draw in (preview/page.py starts it). LAYERS.npz has an
-array of places a layer, called by its number, and `layers`, JSON of what each is."""
+It is a program of its own because VTK ends a program that it cannot draw in (preview/page.py starts it). LAYERS.npz has
+an array of places a layer, called by its number, and `layers`, JSON of what each is."""
 
 import argparse
 import json
@@ -34,7 +35,8 @@ def main():
     fields, layers = Fields(sys.argv[1]), read_layers(sys.argv[2])
     with open_display():
         for number, view in enumerate(sys.argv[4:]):
-            draw(fields, layers, tuple(map(float, view.split(":")))).save(os.path.join(sys.argv[3], f"view_{number}.png"))
+            draw(fields, layers, tuple(map(float, view.split(":")))).save(os.path.join(sys.argv[3],
+                                                                                       f"view_{number}.png"))
 
 
 def read_layers(path):
@@ -44,8 +46,9 @@ def read_layers(path):
 
 
 def draw(fields, layers, view):
-    arguments = argparse.Namespace(field="part", part_colors=True, range=None, map="heat", view=view, look_at=None, zoom=1.0,
-                                   focus="start", part=None, clip=None, no_walls=False, size=SIZE, edges="auto", fast=True)
+    arguments = argparse.Namespace(field="part", part_colors=True, range=None, map="heat", view=view, look_at=None,
+                                   zoom=1.0, focus="start", part=None, clip=None, no_walls=False, size=SIZE,
+                                   edges="auto", fast=True)
     kept, cut = choose_elements(fields, arguments)
     surface = Surface(Skin(fields.hexahedra, kept, cut))
     coloring = Coloring(fields, arguments, kept, [0])
@@ -109,7 +112,8 @@ def with_heads(arrows, share=0.3, width=0.11):
     first = np.cross(along, away)
     first *= length / np.maximum(np.linalg.norm(first, axis=1, keepdims=True), 1e-300)
     second = np.cross(along, first) / np.maximum(length, 1e-300)
-    strokes = [np.stack([tips, tips - share * along + width * sign * side], axis=1) for side in (first, second) for sign in (1, -1)]
+    strokes = [np.stack([tips, tips - share * along + width * sign * side], axis=1) for side in (first, second)
+               for sign in (1, -1)]
     return np.concatenate([arrows, *strokes])
 
 

@@ -50,7 +50,8 @@ def make_layers(scene, fields, plates):
     if scene["overlap"]["nodes"]:
         layers.append(Layer("overlap at the start", RED, "points", places[scene["overlap"]["nodes"]], on_top=True))
     for crossing in scene["overlap"]["crossings"]:
-        layers.append(Layer(f"{crossing['part']} crosses {crossing['other']}", RED, "points", np.array(crossing["places"]), on_top=True))
+        layers.append(Layer(f"{crossing['part']} crosses {crossing['other']}", RED, "points",
+                            np.array(crossing["places"]), on_top=True))
     gaps = find_gap_lines(scene, fields, places)
     if len(gaps):
         layers.append(Layer("smallest gaps", RED, "lines", gaps, on_top=True))
@@ -70,8 +71,8 @@ def color_of(what):
 
 
 def find_arrows(fields, places):
-    """[n][2][3] tails and tips of the velocities at time 0, each as long as its speed; the tip at the node. None: all is at
-    rest. Nodes at the rear of what moves are taken, evenly thinned."""
+    """[n][2][3] tails and tips of the velocities at time 0, each as long as its speed; the tip at the node. None: all
+    is at rest. Nodes at the rear of what moves are taken, evenly thinned."""
     velocity = fields.data("velocity", 0)
     speed = np.linalg.norm(velocity, axis=1)
     top = speed.max(initial=0)
@@ -80,7 +81,8 @@ def find_arrows(fields, places):
     diagonal = float(np.linalg.norm(np.ptp(places, axis=0)))
     faces, owners = exterior_faces(fields.hexahedra, np.ones(fields.elements, dtype=bool))
     chosen = []
-    moving = [part for part in range(len(fields.part_names)) if (speed[fields.hexahedra[fields.part == part]] > 1e-3 * top).any()]
+    moving = [part for part in range(len(fields.part_names))
+              if (speed[fields.hexahedra[fields.part == part]] > 1e-3 * top).any()]
     for part in moving:
         nodes = np.unique(np.asarray(faces)[fields.part[owners] == part])
         nodes = nodes[speed[nodes] > 1e-3 * top]
@@ -94,7 +96,8 @@ def find_arrows(fields, places):
 
 
 def _thin(places, velocities, nodes, count, diagonal):
-    """About `count` nodes: at the rear of each cell across the mean motion, in its middle; of a spin one of each cell of space."""
+    """About `count` nodes: at the rear of each cell across the mean motion, in its middle;
+    of a spin one of each cell of space."""
     mean = velocities.mean(axis=0)
     size = np.linalg.norm(mean)
     spins = size < 0.5 * np.linalg.norm(velocities, axis=1).mean()

@@ -63,7 +63,8 @@ class Preview:
         links = "".join(f"<a href='#{name}'>{escape(heading)}</a>" for name, heading, text in sections if text)
         body = f"<h1>{escape(title)}</h1><p class=soft>{escape(self.trial.deck)}.{escape(units)}</p><nav>{links}</nav>"
         body += self._make_facts()
-        body += "".join(f"<section id={name}><h2>{escape(heading)}</h2>{text}</section>" for name, heading, text in sections if text)
+        body += "".join(f"<section id={name}><h2>{escape(heading)}</h2>{text}</section>"
+                        for name, heading, text in sections if text)
         return wrap_page(title, body, "check")
 
     # --- numbers ------------------------------------------------------------------------------------------------------
@@ -93,19 +94,23 @@ class Preview:
             step = with_unit(float(f"{part['step']:.4g}"), self.unit("time")) if part["step"] else "-"
             if part["step"] == least:
                 step = Markup(f"<b>{escape(step)}</b>")
-            rows.append((Markup(swatch + escape(part["name"])), part["material"], f"{part['elements']:,}", f"{part['nodes']:,}",
-                         with_unit(float(f"{part['mass']:.5g}"), self.unit("mass")), step, part["controlling_element"]))
+            rows.append((Markup(swatch + escape(part["name"])), part["material"], f"{part['elements']:,}",
+                         f"{part['nodes']:,}", with_unit(float(f"{part['mass']:.5g}"), self.unit("mass")), step,
+                         part["controlling_element"]))
         total = with_unit(float(f"{self.scene['mass']:.5g}"), self.unit("mass"))
         rows.append(("all", "", f"{self.scene['elements']:,}", f"{self.scene['nodes']:,}", total,
-                     with_unit(float(f"{self.scene['first_step']:.4g}"), self.unit("time")), self.scene["controlling_element"]))
+                     with_unit(float(f"{self.scene['first_step']:.4g}"), self.unit("time")),
+                     self.scene["controlling_element"]))
         heading = ("part", "material", "elements", "nodes", "mass", "step", "controlled by")
         low, high = self.scene["low"], self.scene["high"]
         box = ", ".join(f"{axis} {low[i]:.6g} to {high[i]:.6g}" for i, axis in enumerate("xyz"))
         given = ""
         if abs(self.scene["total_mass"] - self.scene["mass"]) > 1e-12 * self.scene["mass"]:
             total = with_unit(float(f"{self.scene['total_mass']:.5g}"), self.unit("mass"))
-            given = f"<p class=soft>Masses are those of elements. With what the deck adds, or gives to rigid bodies, the scene has {escape(total)}.</p>"
-        return make_table(heading, rows, (2, 3, 4, 5)) + given + f"<p class=soft>Extent: {escape(with_unit(box, self.unit('length')))}.</p>"
+            given = ("<p class=soft>Masses are those of elements. "
+                     f"With what the deck adds, or gives to rigid bodies, the scene has {escape(total)}.</p>")
+        return (make_table(heading, rows, (2, 3, 4, 5)) + given
+                + f"<p class=soft>Extent: {escape(with_unit(box, self.unit('length')))}.</p>")
 
     def _make_costs(self):
         rows = self.trial.predict()
@@ -126,12 +131,14 @@ class Preview:
                   if (warning["rule"], warning["place"], warning["text"]) not in known and warning["time"] > 0
                   and warning["rule"] not in OF_THE_END]
         if self.trial.run is not None and self.trial.run.status == "completed":
-            found += [Finding(LOOK, finding.text + " In the first steps.", finding.remedy) for finding in find_contact_loss(self.trial.run)]
+            found += [Finding(LOOK, finding.text + " In the first steps.", finding.remedy)
+                      for finding in find_contact_loss(self.trial.run)]
         found += self._judge_resources() + self._judge_overlap()
         if all(finding.level == GOOD for finding in found):
             found.append(Finding(GOOD, "No errors in the deck or its meshes, and no warnings."))
         order = {BAD: 0, LOOK: 1, GOOD: 2}
-        items = "".join(f"<li class={f.level}>{escape(f.text)}</li>" for f in sorted(found, key=lambda f: order[f.level]))
+        items = "".join(f"<li class={f.level}>{escape(f.text)}</li>"
+                        for f in sorted(found, key=lambda f: order[f.level]))
         return f"<ul class=findings>{items}</ul>"
 
     def _judge_resources(self):
@@ -139,25 +146,28 @@ class Preview:
         if self.trial.step_time:
             total = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
             if self.trial.run.summary["peak_bytes"] > MUCH_MEMORY * total:
-                found.append(Finding(LOOK, f"The run needs most of the memory of this machine ({format_bytes(total)})."))
+                found.append(Finding(LOOK,
+                                     f"The run needs most of the memory of this machine ({format_bytes(total)})."))
         disk = sum(size for _, size, _ in self.trial.find_sizes())
         free = shutil.disk_usage(os.getcwd()).free
         if disk > MUCH_DISK * free:
-            found.append(Finding(LOOK, f"The output takes {format_bytes(disk)}; {format_bytes(free)} are free in this folder."))
+            found.append(
+                Finding(LOOK, f"The output takes {format_bytes(disk)}; {format_bytes(free)} are free in this folder."))
         return found
 
     def _judge_overlap(self):
         overlap = self.scene["overlap"]
         count = len(overlap["nodes"])
         if not count and not overlap["edge_pairs"] and overlap["crossings"]:
-            return [Finding(LOOK, "Parts cross at the start; where their edges go through faces is red in the drawing.")]
+            return [Finding(LOOK,
+                            "Parts cross at the start; where their edges go through faces is red in the drawing.")]
         if not count and not overlap["edge_pairs"]:
             return [Finding(GOOD, "No surfaces overlap at the start.")] if self.scene["contact_faces"] else []
         deepest = with_unit(float(f"{max(overlap['deepest'], overlap['deepest_edges']):.3g}"), self.unit("length"))
         edges = f", {overlap['edge_pairs']} pairs of edges" if overlap["edge_pairs"] else ""
         deep = f" {overlap['too_deep']} nodes are deeper than contact can hold." if overlap["too_deep"] else ""
-        return [Finding(LOOK, f"Surfaces overlap at the start: {count} nodes{edges}, the deepest by {deepest}; they are red in "
-                              f"the drawing.{deep}")]
+        return [Finding(LOOK, f"Surfaces overlap at the start: {count} nodes{edges}, the deepest by {deepest}; "
+                              f"they are red in the drawing.{deep}")]
 
     # --- tables -------------------------------------------------------------------------------------------------------
 
@@ -185,9 +195,11 @@ class Preview:
             text += "<h3>Overlaps</h3>" + make_table(("nodes of", "inside", "nodes", "deepest"), rows, (2, 3))
         if overlap["crossings"]:
             meaning = {"now": "yes", "later": "later", "never": "no"}
-            rows = [(c["part"], c["other"], f"{len(c['places']):,}", length(c["depth"]), format_number(c["at"]), meaning[c["contact"]])
+            rows = [(c["part"], c["other"], f"{len(c['places']):,}", length(c["depth"]), format_number(c["at"]),
+                     meaning[c["contact"]])
                     for c in sorted(overlap["crossings"], key=lambda crossing: -crossing["depth"])]
-            text += "<h3>Parts that cross</h3>" + make_table(("part", "other", "edges", "depth", "at", "contact"), rows, (2, 3))
+            text += "<h3>Parts that cross</h3>" + make_table(("part", "other", "edges", "depth", "at", "contact"),
+                                                             rows, (2, 3))
         if overlap["gaps"]:
             gaps = sorted(overlap["gaps"], key=lambda gap: gap["gap"])
             rows = [(g["part"], g["other"], _describe_gap(g["gap"], length)) for g in gaps[:40]]
@@ -208,7 +220,8 @@ class Preview:
         legend = f"<p class=legend>{legend}</p>" if legend else ""
         left_out = [layer.name for layer in self.layers if not layer.shown]
         if left_out:
-            legend += f"<p class=soft>Left out, since their marks would hide the bodies: {escape('; '.join(left_out))}.</p>"
+            legend += ("<p class=soft>Left out, "
+                       f"since their marks would hide the bodies: {escape('; '.join(left_out))}.</p>")
         if not self.options.pictures:
             return legend
         try:
@@ -219,7 +232,8 @@ class Preview:
         shown = ""
         for view, picture in zip(VIEWS, pictures):
             azimuth, elevation = view.split(":")
-            shown += f"<figure><img alt='The scene from {view}' src='data:image/jpeg;base64,{picture}'><figcaption>Seen from azimuth "
+            shown += (f"<figure><img alt='The scene from {view}' src='data:image/jpeg;base64,{picture}'>"
+                      "<figcaption>Seen from azimuth ")
             shown += f"{azimuth}, elevation {elevation} degrees.</figcaption></figure>"
         return f"{legend}<div class=pictures>{shown}</div>"
 
@@ -249,7 +263,8 @@ def draw_pictures(fields, layers):
 
     with tempfile.TemporaryDirectory() as folder:
         arrays = {str(number): layer.places for number, layer in enumerate(layers)}
-        about = [{"kind": layer.kind, "color": layer.color, "shown": layer.shown, "on_top": layer.on_top} for layer in layers]
+        about = [{"kind": layer.kind, "color": layer.color, "shown": layer.shown, "on_top": layer.on_top}
+                 for layer in layers]
         path = os.path.join(folder, "layers.npz")
         np.savez(path, layers=json.dumps(about), **arrays)
         command = [sys.executable, "-m", "percuss.preview.draw_marks", fields.path, path, folder, *VIEWS]

@@ -11,16 +11,17 @@ from percuss.libraries import require
 NEEDS = ("numpy", "h5py", "matplotlib")
 WISHES = ("vtkmodules.vtkRenderingOpenGL2", "PIL.Image")
 EPILOG = """\
-`percuss check DECK --report` is this program. It calls percuss check and runs a few steps in a temporary folder, which take
-some seconds. The page shows the bodies by part, with sets, conditions, walls, initial velocities as arrows, and overlaps and
-gaps in red. It lists mass, extent, step by part, predicted steps, run time, memory and disk, and all warnings of check.
+`percuss check DECK --report` is this program. It calls percuss check and runs a few steps in a temporary folder, which
+take some seconds. The page shows the bodies by part, with sets, conditions, walls, initial velocities as arrows, and
+overlaps and gaps in red. It lists mass, extent, step by part, predicted steps, run time, memory and disk,
+and all warnings of check.
 
 examples:
   percuss check --report deck.yaml                          writes SCENE_check.html into the current folder
   percuss check deck.yaml --report --out before.html --set 'parts.rod.cylinder.cells=[16, 64]'
 
-Exit codes: 0 done; 2 the deck, a mesh or the command is wrong (a page is written only for overlap that the deck refuses);
-4 the system failed. Needs what percuss report needs: scripts/install_dependencies --report.
+Exit codes: 0 done; 2 the deck, a mesh or the command is wrong (a page is written only for overlap that the deck
+refuses); 4 the system failed. Needs what percuss report needs: scripts/install_dependencies --report.
 """
 
 
@@ -32,12 +33,16 @@ def parse_arguments(words):
     add("deck", metavar="DECK", help="the deck (YAML)")
     add("--report", action="store_true", help="write the page (what this program does)")
     add("-o", "--out", metavar="FILE", help="the page (default: SCENE_check.html)")
-    add("-f", "--force", action="store_true", help="write over a file that percuss check has not written; never over results of a run")
-    add("-s", "--set", metavar="KEY=VALUE", action="append", default=[], help="change a value of the deck; may be repeated")
+    add("-f", "--force", action="store_true",
+        help="write over a file that percuss check has not written; never over results of a run")
+    add("-s", "--set", metavar="KEY=VALUE", action="append", default=[],
+        help="change a value of the deck; may be repeated")
     add("--allow-external", action="store_true", help="let HDF5 files (meshes) take data from other files")
-    add("--allow-library", metavar="FILE", action="append", default=[], help="load this library with a law of yours; may be repeated")
+    add("--allow-library", metavar="FILE", action="append", default=[],
+        help="load this library with a law of yours; may be repeated")
     add("--no-pictures", dest="pictures", action="store_false", help="leave the pictures out (they need VTK)")
-    add("--no-view", dest="interactive", action="store_false", help="leave the interactive view out (it takes about 1 MB)")
+    add("--no-view", dest="interactive", action="store_false",
+        help="leave the interactive view out (it takes about 1 MB)")
     return parser.parse_args(words)
 
 
@@ -49,7 +54,8 @@ def fail(message, code=2):
 
 
 def name_page(deck):
-    """SCENE_check.html: the deck's name, or the name of its folder if it is called deck.yaml, as of the results of a run."""
+    """SCENE_check.html: the deck's name, or the name of its folder if it is called deck.yaml,
+    as of the results of a run."""
     name = os.path.splitext(os.path.basename(deck))[0]
     if name == "deck":
         name = os.path.basename(os.path.dirname(os.path.abspath(deck))) or name

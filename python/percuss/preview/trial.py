@@ -26,8 +26,8 @@ class Refused(Exception):
 
 
 class Trial:
-    """Attributes: scene (of check --json), error (of a deck that refuses overlap, else empty), run (of the first steps, or
-    None), run_error, program."""
+    """Attributes: scene (of check --json), error (of a deck that refuses overlap, else empty), run (of the first steps,
+    or None), run_error, program."""
 
     def __init__(self, program, deck, options, folder):
         self.program, self.deck, self.options, self.folder = program, deck, list(options), folder
@@ -38,7 +38,8 @@ class Trial:
         self._run_steps()
 
     def _call(self, *words):
-        return subprocess.run([self.program, *words], capture_output=True, text=True, errors="replace", timeout=3600, check=False)
+        return subprocess.run([self.program, *words], capture_output=True, text=True, errors="replace", timeout=3600,
+                              check=False)
 
     def _check(self):
         done = self._call("check", self.deck, "--json", *self.options)
@@ -101,7 +102,7 @@ class Trial:
         """The deck's `output`, with what --set changes."""
         return Deck(self.scene["values"]).get_map("output")
 
-    # --- what follows ---------------------------------------------------------------------------------------------------
+    # --- what follows -------------------------------------------------------------------------------------------------
 
     @property
     def step_time(self):
@@ -121,8 +122,8 @@ class Trial:
             summary = self.run.summary
             cores = summary["ranks"] * summary["threads"]
             rows.append(("run time", format_seconds(steps * self.step_time),
-                         f"{1e3 * self.step_time:.3g} ms per step, measured over {self.steps_measured} steps on {cores} "
-                         f"core{'s' * (cores != 1)}{self.describe_load()}; more contact makes steps longer"))
+                         f"{1e3 * self.step_time:.3g} ms per step, measured over {self.steps_measured} steps on "
+                         f"{cores} core{'s' * (cores != 1)}{self.describe_load()}; more contact makes steps longer"))
             rows.append(("memory", format_bytes(summary["peak_bytes"]), "largest so far, of one rank"))
         for name, size, how in self.find_sizes():
             rows.append((name, format_bytes(size), how))
@@ -147,7 +148,8 @@ class Trial:
         wanted = output.get("checkpoint") or {}
         several = "every" in wanted or "wall" in wanted
         if os.path.exists(path) and (several or wanted.get("at_end", True)):
-            sizes.append(("checkpoints", (1 + several) * os.path.getsize(path), "the last two" if several else "that of the end"))
+            sizes.append(("checkpoints", (1 + several) * os.path.getsize(path),
+                          "the last two" if several else "that of the end"))
         return sizes
 
     def _find_sizes_of_fields(self, output, end):
@@ -186,8 +188,8 @@ def _loop_time(run):
 
 
 def find_frame_size(fields, wanted, shown=None):
-    """Bytes of a frame with these fields: what the file holds of each node and element, points included. shown: nodes and
-    elements, where they are not those of the file."""
+    """Bytes of a frame with these fields: what the file holds of each node and element, points included. shown: nodes
+    and elements, where they are not those of the file."""
     nodes, elements = shown or (fields.nodes, fields.elements)
     size = 24 * nodes
     for group, items in (("PointData", nodes), ("CellData", elements)):

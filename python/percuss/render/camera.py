@@ -17,10 +17,11 @@ def directions(azimuth, elevation):
 
 
 def sample_positions(fields, nodes, frames, limit=400_000, shift=None):
-    """Positions of nodes over the frames, thinned evenly to about `limit`: [n][3], finite ones only. shift(frame) [3]: what is taken away,
-    as a camera sees them that goes along."""
+    """Positions of nodes over the frames, thinned evenly to about `limit`: [n][3], finite ones only. shift(frame) [3]:
+    what is taken away, as a camera sees them that goes along."""
     stride = max(1, len(nodes) * len(frames) // limit)
-    samples = np.concatenate([fields.positions(f)[nodes[f % stride :: stride]] - (0 if shift is None else shift(f)) for f in frames])
+    samples = np.concatenate([fields.positions(f)[nodes[f % stride :: stride]] - (0 if shift is None else shift(f))
+                              for f in frames])
     return samples[np.isfinite(samples).all(axis=1)]
 
 
@@ -28,9 +29,10 @@ def place_camera(points, azimuth, elevation, aspect, margins, look_at=None):
     """The position of the camera, the point it looks at, and its up direction.
 
     With look_at [3] the camera keeps its direction and its distance from the scene and has this point in the middle.
-    points: what shall be in view [n][3]; half a per mille of them may stick out on each side. margins: shares of the picture
-    to leave free at left, right, bottom, top. Each side of the view is a plane through the camera: for the one at the right
-    p.right - t p.forward <= c.right - t c.forward for all points p; the two of an axis give its place and the distance.
+    points: what shall be in view [n][3]; half a per mille of them may stick out on each side. margins: shares of the
+    picture to leave free at left, right, bottom, top. Each side of the view is a plane through the camera: for the one
+    at the right p.right - t p.forward <= c.right - t c.forward for all points p;
+    the two of an axis give its place and the distance.
     """
     right, up, forward = directions(azimuth, elevation)
     tangent = math.tan(math.radians(VIEW_ANGLE) / 2)

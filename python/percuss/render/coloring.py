@@ -1,4 +1,5 @@
-"""What the colours of a picture mean: the field, its range over the frames drawn, its table and the title of the bar."""
+"""What the colours of a picture mean: the field, its range over the frames drawn,
+its table and the title of the bar."""
 
 import numpy as np
 
@@ -12,7 +13,8 @@ LABELS_OF_A_GIVEN_RANGE = 5
 
 
 class Coloring:
-    """Attributes: name, place (node or element), lut, categories (0: a colour bar), and of a bar title, labels, note."""
+    """Attributes: name, place (node or element), lut, categories (0:
+    a colour bar), and of a bar title, labels, note."""
 
     def __init__(self, fields, arguments, kept, frames):
         self.fields = fields
@@ -38,7 +40,8 @@ class Coloring:
 
     def _make_bar(self, arguments, frames):
         ends = find_ends(self._drawn_values(frame) for frame in frames)
-        typical = find_typical_ends((self._drawn_values(frame) for frame in frames), getattr(arguments, "percentile", None))
+        typical = find_typical_ends((self._drawn_values(frame) for frame in frames),
+                                    getattr(arguments, "percentile", None))
         low, high, self.labels = choose_bar(typical)
         if arguments.range:
             (low, high), self.labels = arguments.range, LABELS_OF_A_GIVEN_RANGE
@@ -56,8 +59,8 @@ class Coloring:
             self.note = f"data: {ends[0] * self.factor:.3g} to {ends[1] * self.factor:.3g}"
 
     def choose_values(self, frame, skin):
-        """'node' with a number for each point of the skin, or 'element' with one for each polygon: its element's, or, of a
-        category of nodes, the highest of its corners'."""
+        """'node' with a number for each point of the skin, or 'element' with one for each polygon: its element's, or,
+        of a category of nodes, the highest of its corners'."""
         values = self.fields.values(self.name, frame) * self.factor
         if self.place == "element":
             return "element", values[skin.owners]

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-# Colours at equal distances, light to dark or along the map; interpolated in Lab. viridis and inferno: of matplotlib (CC0).
+# Colours at equal distances, light to dark or along the map; interpolated in Lab.
+# viridis and inferno: of matplotlib (CC0).
 MAPS = {
     "heat": ["#e9e6df", "#f6dfa4", "#f9b95c", "#ef7f3c", "#cf4631", "#93203d", "#4d1240"],
     "viridis": ["#440154", "#443983", "#31688e", "#21918c", "#35b779", "#90d743", "#fde725"],

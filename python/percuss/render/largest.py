@@ -4,7 +4,8 @@ import numpy as np
 
 
 def find_largest(fields, name, frame, drawn):
-    """(item, value) of a field in the elements that are drawn, or their nodes; (None, None) where nothing is finite or all are zero."""
+    """(item, value) of a field in the elements that are drawn, or their nodes;
+    (None, None) where nothing is finite or all are zero."""
     values = fields.values(name, frame)
     items = np.flatnonzero(drawn) if fields.names()[name] == "element" else np.unique(fields.hexahedra[drawn])
     items = items[np.isfinite(values[items])]
@@ -15,7 +16,8 @@ def find_largest(fields, name, frame, drawn):
 
 
 class Largest:
-    """Of a frame. Attributes: value (in the unit of the file; None where find_largest finds none), point [3], text ('element 12 of part 'plate'')."""
+    """Of a frame. Attributes: value (in the unit of the file;
+    None where find_largest finds none), point [3], text ('element 12 of part 'plate'')."""
 
     def __init__(self, fields, coloring, frame, drawn):
         self.value, self.point, self.text = None, None, ""

@@ -30,7 +30,8 @@ def _find_planes(fields, deck):
 
 def find_symmetry(fields, deck):
     """[(axis, value)] of the planes of symmetry of a deck; none where it has none."""
-    axes = {str(entry["symmetry"]).strip("-+") for entry in deck.get_list("conditions") if isinstance(entry, dict) and entry.get("symmetry")}
+    axes = {str(entry["symmetry"]).strip("-+")
+            for entry in deck.get_list("conditions") if isinstance(entry, dict) and entry.get("symmetry")}
     start = fields.positions(0)
     near = ON_THE_PLANE * np.linalg.norm(np.ptp(start, axis=0))
     planes = []

@@ -51,17 +51,20 @@ def render(arguments):
         if shot.largest:
             print_text(f"render: {shot.describe_largest()}")
     for kind, path in films.items():
-        film = encode_animation([shrink(image) for image in images], arguments.fps) if kind == "gif" else encode_video(images, arguments.fps, kind)
+        film = (encode_animation([shrink(image) for image in images], arguments.fps) if kind == "gif"
+                else encode_video(images, arguments.fps, kind))
         write_file(path, film, "render", arguments.force)
         print_text(f"render: {path}")
 
 
 def choose_paths(arguments, frames, folder):
-    """({frame: path of its picture}, {"gif": path, ...}), in --out or else in the folder of the run; --out FILE.png is the one picture."""
+    """({frame: path of its picture}, {"gif": path, ...}), in --out or else in the folder of the run;
+    --out FILE.png is the one picture."""
     out = arguments.out or folder
     if is_picture(out):
         if len(frames) != 1:
-            raise BadChoice(f"--out {out} is one picture, and there are {len(frames)} frames: choose one with --frame, or give a folder")
+            raise BadChoice(f"--out {out} is one picture, and there are {len(frames)} frames: choose one with --frame, "
+                            "or give a folder")
         return {frames[0]: out}, {}
     os.makedirs(out, exist_ok=True)
     prefix = f"{arguments.fields}_" if arguments.fields else ""
@@ -77,7 +80,8 @@ def is_picture(out):
     if os.path.isdir(out) or ending not in (".png", ".gif", ".jpg", ".jpeg", ".svg", ".mp4", ".webm"):
         return False
     if ending != ".png":
-        raise BadChoice(f"--out {out} is neither a folder nor a .png: a picture is a PNG, and films go into a folder (--video)")
+        raise BadChoice(f"--out {out} is neither a folder nor a .png: a picture is a PNG, "
+                        "and films go into a folder (--video)")
     return True
 
 
@@ -100,7 +104,8 @@ def prepare(arguments):
         if all(bar.title is not None for bar in bars):
             halves.range = (min(bar.ends[0] for bar in bars), max(bar.ends[1] for bar in bars))
     boxes = [_find_box(of, halves) for of, _, _ in pairs]
-    return frames, [Shot(of, halves, drawn, frame_of, box, _name(of)) for (of, drawn, frame_of), box in zip(pairs, boxes[::-1])]
+    return (frames, [Shot(of, halves, drawn, frame_of, box, _name(of))
+                     for (of, drawn, frame_of), box in zip(pairs, boxes[::-1])])
 
 
 def _name(fields):
@@ -112,7 +117,8 @@ def _find_box(fields, arguments):
     nodes = np.unique(fields.hexahedra[choose_elements(fields, arguments)[0]])
     points = sample_positions(fields, nodes, range(len(fields.times)) if arguments.focus == "run" else [0])
     low, high = np.quantile(points, [0.0005, 0.9995], axis=0)
-    return np.array([[(low, high)[i][0], (low, high)[j][1], (low, high)[k][2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
+    return np.array([[(low, high)[i][0], (low, high)[j][1], (low, high)[k][2]] for i in (0, 1) for j in (0, 1)
+                     for k in (0, 1)])
 
 
 def join(images):
@@ -127,8 +133,8 @@ def join(images):
 
 
 class Shot:
-    """The pictures of a run. frame_of: the frame of this run for a frame of the first; box: points that are to be in view, too. title: in
-    place of that of the deck. largest: (value, words, frame) of what has been drawn, or None."""
+    """The pictures of a run. frame_of: the frame of this run for a frame of the first; box: points that are to be in
+    view, too. title: in place of that of the deck. largest: (value, words, frame) of what has been drawn, or None."""
 
     def __init__(self, fields, arguments, frames, frame_of=None, box=np.empty((0, 3)), title=None):
         self.fields, self.arguments, self.frame_of, self.largest = fields, arguments, frame_of, None
@@ -161,14 +167,16 @@ class Shot:
 
     def _mark(self, frame):
         found = Largest(self.fields, self.coloring, frame, self.alive)
-        self.scene.mark(found.point, f"max {format_value(found.value, self.coloring)}" if found.point is not None else "", self.planes)
+        self.scene.mark(found.point, f"max {format_value(found.value, self.coloring)}" if found.point is not None
+                        else "", self.planes)
         if found.point is not None and (self.largest is None or found.value > self.largest[0]):
             self.largest = (found.value, found.text, frame)
 
     def describe_largest(self):
         value, words, frame = self.largest
         where = f"{_name(self.fields)}: " if self.frame_of else ""
-        return f"{where}largest {colors.label_of(self.coloring.name)} {format_value(value, self.coloring)} in {words}, frame {frame}"
+        return (f"{where}largest {colors.label_of(self.coloring.name)} {format_value(value, self.coloring)} in "
+                f"{words}, frame {frame}")
 
 
 def find_deck_of(fields):
@@ -201,13 +209,15 @@ def choose_frames(fields, wanted):
 
 
 class Walls:
-    """The plates of rigid walls and of their mirrored images; one that stands between the camera and the bodies is seen through."""
+    """The plates of rigid walls and of their mirrored images;
+    one that stands between the camera and the bodies is seen through."""
 
     def __init__(self, fields, points, camera, planes):
         self._fields, self._points, self._camera, self._planes = fields, points, camera, planes
 
     def span(self, frame):
-        """[(plates [k][4][3], whether it is seen from behind)] of each at the time of a frame; None for plates: it is not drawn."""
+        """[(plates [k][4][3], whether it is seen from behind)] of each at the time of a frame;
+        None for plates: it is not drawn."""
         walls = mirror_walls(span_walls(self._fields, frame, self._points), self._planes)
         return [(plates, plane is not None and (self._camera - plane[0]) @ plane[1] < 0) for plates, plane in walls]
 
@@ -218,22 +228,24 @@ class NoWalls:
 
 
 def make_scene(fields, arguments, surface, coloring, frames, marks=np.empty((0, 3)), extras=None):
-    """The scene with its walls as in the first of the frames, and the walls. marks: points [n][3] that are to be in view, besides
-    the bodies."""
+    """The scene with its walls as in the first of the frames, and the walls. marks: points [n][3] that are to be in
+    view, besides the bodies."""
     edges = arguments.edges == "on" or (
         arguments.edges == "auto" and surface.mesh.GetNumberOfPolys() <= MOST_FACES_WITH_EDGES)
     scene = Scene(surface, coloring.lut, arguments.size, 1 if arguments.fast else 2, edges)
     extras = extras or Extras()
     scene.add_copies(list_copies(extras.planes))
     nodes = surface.skin.nodes()
-    points = sample_positions(fields, nodes, range(len(fields.times)) if arguments.focus == "run" else [0], shift=extras.shift)
+    points = sample_positions(fields, nodes, range(len(fields.times)) if arguments.focus == "run" else [0],
+                              shift=extras.shift)
     points = reflect(points, extras.planes)
     shown = np.concatenate([points, *[marks] * max(1, len(points) // 400)]) if len(marks) else points
     aspect = arguments.size[0] / arguments.size[1]
     position, target, up = place_camera(shown, *arguments.view, aspect, MARGINS, arguments.look_at)
     walls = NoWalls() if arguments.no_walls else Walls(fields, points, position, extras.planes)
     scene.place_walls(walls.span(frames[0]))
-    ends = [plates.reshape(-1, 3) for frame in {frames[0], frames[-1]} for plates, _ in walls.span(frame) if plates is not None]
+    ends = [plates.reshape(-1, 3) for frame in {frames[0], frames[-1]}
+            for plates, _ in walls.span(frame) if plates is not None]
     scene.aim(position, target, up, arguments.zoom, np.concatenate([shown, *ends]))
     if not arguments.fast:
         start = fields.positions(0)

@@ -1,5 +1,5 @@
-"""Where rigid walls are drawn, as plates of four corners: a plane as one, as large as it is, or under and a little around the
-bodies; a cylinder or a sphere as many."""
+"""Where rigid walls are drawn, as plates of four corners: a plane as one, as large as it is, or under and a little
+around the bodies; a cylinder or a sphere as many."""
 
 import numpy as np
 
@@ -12,20 +12,22 @@ SAME = 1e-6    # of the size of the scene: where the plates of two walls are ali
 
 
 def span_walls(fields, frame, points):
-    """[(plates [k][4][3], plane)] of all walls at the time of a frame. plane: its point and normal; None of a round wall."""
+    """[(plates [k][4][3], plane)] of all walls at the time of a frame.
+    plane: its point and normal; None of a round wall."""
     return [(span_wall(*wall, points)[np.newaxis], wall[:2]) for wall in fields.walls_at(frame)] + [
         (span_round_wall(*wall, points), None) for wall in fields.round_walls_at(frame)]
 
 
 def mirror_walls(walls, planes):
-    """The walls of span_walls with their images in each mirrored copy of the scene; (None, None) for an image that lies where a wall is
-    already, such as that of a floor. There are as many at each time."""
+    """The walls of span_walls with their images in each mirrored copy of the scene; (None, None) for an image that lies
+    where a wall is already, such as that of a floor. There are as many at each time."""
     images = list(walls)
     for chosen in list_copies(planes):
         for plates, plane in walls:
             image = reflect_once(plates, chosen)
             there = any(_are_alike(image, other) for other, _ in images if other is not None)
-            images.append((None, None) if there else (image, plane and (reflect_once(plane[0], chosen), _turn(plane[1], chosen))))
+            images.append((None, None) if there
+                          else (image, plane and (reflect_once(plane[0], chosen), _turn(plane[1], chosen))))
     return images
 
 
@@ -44,7 +46,8 @@ def _turn(normal, planes):
 
 
 def span_wall(point, normal, edges, points):
-    """Four corners of a plate in the wall's plane: of its rectangle, or under all points [n][3], as seen along the normal."""
+    """Four corners of a plate in the wall's plane: of its rectangle, or under all points [n][3],
+    as seen along the normal."""
     size = find_size(points)
     if edges is not None:
         corner = point - GAP * size * normal
@@ -59,7 +62,8 @@ def span_wall(point, normal, edges, points):
 
 
 def span_round_wall(point, axis, radius, length, points, around=AROUND):
-    """Plates [k][4][3] around a cylinder, which are as long as it is or as the bodies beside it, or on a sphere (axis: None)."""
+    """Plates [k][4][3] around a cylinder, which are as long as it is or as the bodies beside it,
+    or on a sphere (axis: None)."""
     size = find_size(points)
     pole = np.array([0.0, 0.0, 1.0]) if axis is None else axis
     first, second = find_axes(pole)
@@ -73,7 +77,8 @@ def span_round_wall(point, axis, radius, length, points, around=AROUND):
         along = (points - point) @ axis
         ends = (0, length) if length else (along.min() - MARGIN * size, along.max() + MARGIN * size)
         rings = [point + end * axis + drawn * circle for end in ends]
-    return np.concatenate([np.stack([low[:-1], low[1:], high[1:], high[:-1]], axis=1) for low, high in zip(rings, rings[1:])])
+    return np.concatenate([np.stack([low[:-1], low[1:], high[1:], high[:-1]], axis=1)
+                           for low, high in zip(rings, rings[1:])])
 
 
 def find_size(points):

@@ -6,10 +6,11 @@ import numpy as np
 
 STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)  # distances of the labels, times a power of ten
 FEWEST, MOST = 4, 7                 # distances between labels on a bar
-ZERO_BELOW = 0.3                    # a bar whose low end is less than this share of the high one starts at 0
-CENTRED_ABOVE = 0.2                 # and one with both signs, the lesser above this share of the other, has 0 in the middle
-SMALL, TYPICAL, FAR = 0.01, 0.99, 1.5  # of the largest number; share of those above it; a bar is cut where the largest one is so far off
-CONSTANT_BELOW = 1e-6               # numbers that differ by a smaller share are one number and its round-off
+ZERO_BELOW = 0.3  # a bar whose low end is less than this share of the high one starts at 0,
+CENTRED_ABOVE = 0.2  # and one with both signs, the lesser above this share of the other, has 0 in the middle
+# Small: a share of the largest number. Typical: the share of those above it. A bar is cut where the largest is so far.
+SMALL, TYPICAL, FAR = 0.01, 0.99, 1.5
+CONSTANT_BELOW = 1e-6  # numbers that differ by a smaller share are one number and its round-off
 
 
 def find_ends(frames):
@@ -23,8 +24,9 @@ def find_ends(frames):
 
 
 def find_typical_ends(frames, percentile=None):
-    """The same without the largest numbers: up to a percentile of the frame in which that is largest. None: without what is far above
-    99 percent of the numbers that are more than small, so that one corner does not leave all else pale."""
+    """The same without the largest numbers: up to a percentile of the frame in which that is largest. None: without
+    what is far above 99 percent of the numbers that are more than small,
+    so that one corner does not leave all else pale."""
     ends, high = None, -math.inf
     for values in frames:
         finite = values[(values > -math.inf) & (values < math.inf)]

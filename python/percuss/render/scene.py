@@ -4,6 +4,7 @@ import os
 import textwrap
 
 import numpy as np
+import vtkmodules.vtkRenderingCore as vtk
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  (draws the text)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (draws the rest)
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
@@ -11,7 +12,6 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkReverseSense
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
-from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter
 
 from .camera import narrow_view
 from .colors import rgb
@@ -63,9 +63,9 @@ class Scene:
         self.width, self.height = size
         self.scale = supersampling
         self._walls, self._mark = [], []
-        self.renderer = vtkRenderer()
+        self.renderer = vtk.vtkRenderer()
         self.renderer.SetBackground(1, 1, 1)
-        self.window = vtkRenderWindow()
+        self.window = vtk.vtkRenderWindow()
         self.window.SetOffScreenRendering(1)
         self.window.SetMultiSamples(0)  # pictures are drawn larger and reduced, which smooths text and shading as well
         self.window.SetSize(self.width * self.scale, self.height * self.scale)
@@ -80,7 +80,7 @@ class Scene:
         self._normals.ConsistencyOff()
         self._lut = lut
         self.mapper = self._make_mapper(self._normals)
-        actor = vtkActor()
+        actor = vtk.vtkActor()
         actor.SetMapper(self.mapper)
         look = actor.GetProperty()
         look.SetInterpolationToPhong()
@@ -97,7 +97,7 @@ class Scene:
         self._surface = actor
 
     def _make_mapper(self, source):
-        mapper = vtkPolyDataMapper()
+        mapper = vtk.vtkPolyDataMapper()
         mapper.SetInputConnection(source.GetOutputPort())
         mapper.SetLookupTable(self._lut)
         mapper.UseLookupTableScalarRangeOn()
@@ -105,13 +105,13 @@ class Scene:
         return mapper
 
     def add_copies(self, copies):
-        """copies: for each the planes (axis, value) that mirror it. An odd number of mirrors turns faces inside out, which would be
-        lit from within: their corners are taken in the other order."""
+        """copies: for each the planes (axis, value) that mirror it. An odd number of mirrors turns faces inside out,
+        which would be lit from within: their corners are taken in the other order."""
         turned = vtkReverseSense()
         turned.SetInputConnection(self._normals.GetOutputPort())
         turned_mapper = self._make_mapper(turned)
         for planes in copies:
-            actor = vtkActor()
+            actor = vtk.vtkActor()
             actor.ShallowCopy(self._surface)
             if len(planes) % 2:
                 actor.SetMapper(turned_mapper)
@@ -123,11 +123,12 @@ class Scene:
             self.renderer.AddActor(actor)
 
     def _add_lights(self):
-        """Daylight: much from everywhere (ambient), a warm key light from above the camera's left, a cool fill from its right."""
+        """Daylight: much from everywhere (ambient), a warm key light from above the camera's left,
+        a cool fill from its right."""
         self.renderer.AutomaticLightCreationOff()
         for place, color, strength in (((-0.5, 0.95, 0.75), "#fff4e4", 0.50), ((0.9, 0.15, 0.75), "#eef3ff", 0.54),
                                        ((0.0, 0.0, 1.0), "#ffffff", 0.20)):
-            light = vtkLight()
+            light = vtk.vtkLight()
             light.SetLightTypeToCameraLight()
             light.SetPosition(*place)
             light.SetFocalPoint(0, 0, 0)
@@ -144,8 +145,8 @@ class Scene:
         self.renderer.SSAOBlurOn()
 
     def place_walls(self, walls):
-        """walls: [(plates [k][4][3], whether it is seen from behind)], as many at every call; where they are from now on. Plates of
-        None are not drawn."""
+        """walls: [(plates [k][4][3], whether it is seen from behind)], as many at every call; where they are from now
+        on. Plates of None are not drawn."""
         for _ in walls[len(self._walls) :]:
             self._walls.append(WallPlates(0.6 * self.scale))
             self.renderer.AddActor(self._walls[-1].actor)
@@ -170,8 +171,8 @@ class Scene:
         camera.SetFocalPoint(*(self._stand[1] + by))
 
     def mark(self, point, text, planes=()):
-        """A ring at a point with a text beside it, over all that is drawn; of the images of mirrored copies at that which is nearest to the
-        camera. None: no mark in this picture."""
+        """A ring at a point with a text beside it, over all that is drawn; of the images of mirrored copies at that
+        which is nearest to the camera. None: no mark in this picture."""
         if not self._mark:
             ring, label = (self.add_text("", 0, 0, points, bold=True) for points in (0.034, 0.022))
             ring.GetTextProperty().SetBackgroundOpacity(0)
@@ -221,7 +222,7 @@ class Scene:
             self.add_text(note, 0.975, 0.21, 0.02, right=True)
 
     def add_text(self, text, x, y, points, right=False, color=INK, bold=False):
-        actor = vtkTextActor()
+        actor = vtk.vtkTextActor()
         actor.SetInput(text)
         self._set_font(actor.GetTextProperty(), points)
         actor.GetTextProperty().SetColor(*color)
@@ -257,7 +258,7 @@ class Scene:
     def draw(self):
         """The picture as [height][width][3] bytes, at `supersampling` times the size."""
         self.window.Render()
-        grab = vtkWindowToImageFilter()
+        grab = vtk.vtkWindowToImageFilter()
         grab.SetInput(self.window)
         grab.ReadFrontBufferOff()
         grab.ShouldRerenderOff()  # it would draw everything a second time

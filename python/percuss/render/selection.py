@@ -6,7 +6,8 @@ from percuss.nearest import suggest
 
 from .camera import directions
 
-ON_THE_PLANE = 1e-6  # nodes that are nearer to it, as a share of the size of the mesh, lie on it: no slivers are cut off
+# nodes that are nearer to it, as a share of the size of the mesh, lie on it: no slivers are cut off
+ON_THE_PLANE = 1e-6
 
 
 class BadChoice(ValueError):
@@ -17,12 +18,13 @@ def check_field(fields, name):
     """BadChoice with the nearest name where there is no such field."""
     known = fields.names()
     if name not in known:
-        raise BadChoice(f"there is no field '{name}' in {fields.path}{suggest(name, known)} (it has {', '.join(sorted(known))})")
+        raise BadChoice(f"there is no field '{name}' in {fields.path}{suggest(name, known)} "
+                        f"(it has {', '.join(sorted(known))})")
 
 
 class Cut:
-    """A plane through the mesh as it starts. Attributes: height [nodes], above the plane on the side that is taken away;
-    keeps [elements], whether some of an element stays; parts [elements], whether it goes through an element."""
+    """A plane through the mesh as it starts. Attributes: height [nodes], above the plane on the side that is taken
+    away; keeps [elements], whether some of an element stays; parts [elements], whether it goes through an element."""
 
     def __init__(self, fields, clip, view):
         side, axis, value = clip
@@ -58,11 +60,13 @@ def choose_parts(fields, wanted):
     names = [name for words in wanted for name in ([words] if words in fields.part_names else words.split(","))]
     unknown = [name for name in names if name not in fields.part_names]
     if unknown:
-        raise BadChoice(f"there is no part '{unknown[0]}' in {fields.path}{suggest(unknown[0], fields.part_names)} (it has {', '.join(fields.part_names)})")
+        raise BadChoice(f"there is no part '{unknown[0]}' in {fields.path}{suggest(unknown[0], fields.part_names)} "
+                        f"(it has {', '.join(fields.part_names)})")
     return np.isin(fields.part, [fields.part_names.index(name) for name in names])
 
 
 def faces_camera(axis, view):
-    """Whether the camera stands at the upper end of the axis; where it looks along the cut the upper end is taken away."""
+    """Whether the camera stands at the upper end of the axis;
+    where it looks along the cut the upper end is taken away."""
     _, _, forward = directions(*view)
     return forward[axis] < 1e-9

@@ -1,4 +1,5 @@
-"""What is drawn: beams as lines, outer faces of the elements, cut off at a plane, and the sections of elements in that plane.
+"""What is drawn: beams as lines, outer faces of the elements, cut off at a plane,
+and the sections of elements in that plane.
 
 A point of a polygon is a node, or lies on the edge between two nodes: it moves with both, so that a cut stays in the
 material.
@@ -12,9 +13,9 @@ HEX_EDGES = [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0,
 
 
 class Skin:
-    """Attributes: ends [points][2], the nodes of each point's edge, twice the same for a node; share [points] of the second;
-    corners, the points of line after line, then of polygon after polygon; offsets [lines and polygons + 1] into corners;
-    owners [lines and polygons], elements; lines, how many there are."""
+    """Attributes: ends [points][2], the nodes of each point's edge, twice the same for a node; share [points] of the
+    second; corners, the points of line after line, then of polygon after polygon; offsets [lines and polygons + 1] into
+    corners; owners [lines and polygons], elements; lines, how many there are."""
 
     def __init__(self, hexahedra, drawn, cut=None):
         faces, owners = exterior_faces(hexahedra, drawn)
@@ -89,7 +90,8 @@ def are_lines(hexahedra):
 
 
 def exterior_faces(hexahedra, kept):
-    """Faces that belong to one of the kept elements only, and shells: their corners [faces][4], their elements [faces]."""
+    """Faces that belong to one of the kept elements only, and shells: their corners [faces][4],
+    their elements [faces]."""
     elements = np.flatnonzero(kept & ~are_lines(hexahedra))
     shells = elements[hexahedra[elements, 0] == hexahedra[elements, 4]]
     elements = elements[hexahedra[elements, 0] != hexahedra[elements, 4]]

@@ -9,8 +9,8 @@ from percuss.display import NoDisplay, open_display
 from percuss.libraries import MissingLibrary, require
 from percuss.terminal import fail as end
 
-WARNING_OF_PARAVIEW = (", which removes the package python3-paraview (on Debian 12 and 13 it and python3-vtk9 exclude each other), "
-                       "or look at fields.xdmf2 with that ParaView")
+WARNING_OF_PARAVIEW = (", which removes the package python3-paraview (on Debian 12 and 13 it and python3-vtk9 exclude "
+                       "each other), or look at fields.xdmf2 with that ParaView")
 
 NEEDS = ("h5py", "numpy", "PIL.Image", "vtkmodules.vtkRenderingOpenGL2")
 EPILOG = """\
@@ -39,39 +39,49 @@ def parse_arguments(words):
     add = parser.add_argument
     add("dir", metavar="DIR", help="the output folder of a run (or a fields.vtkhdf)")
     add("--out", metavar="FOLDER", help="where the pictures go (default: DIR); with one --frame also a FILE.png")
-    add("--from", dest="fields", metavar="NAME", help="the frames of this entry of output.field_outputs, DIR/fields_NAME.vtkhdf; pictures "
-        "are NAME_frame_0000.png ... (default: those of output.fields)")
-    add("--field", metavar="NAME", help="field shown by the colours: a vector by its magnitude, a stress by von Mises' value; "
-        "'part', 'body', 'chunk', 'fe_rank' and 'contact_rank' in a colour each (default: von_mises, else stress, else velocity)")
+    add("--from", dest="fields", metavar="NAME",
+        help="the frames of this entry of output.field_outputs, DIR/fields_NAME.vtkhdf; "
+             "pictures are NAME_frame_0000.png ... (default: those of output.fields)")
+    add("--field", metavar="NAME",
+        help="field shown by the colours: a vector by its magnitude, a stress by von Mises' value; 'part', 'body', "
+             "'chunk', 'fe_rank' and 'contact_rank' in a colour each (default: von_mises, else stress, else velocity)")
     add("--part-colors", action="store_true", help="one colour a part; the same as --field part")
-    add("--units", metavar="SYSTEM", help="convert to a system of units, such as 'mm, kg, ms' (default: that of the deck); lengths and values of "
-        "other options are in it, too")
-    add("--range", metavar="LOW:HIGH", type=parse_pair, help="ends of the colour bar in the unit of the file (default: round "
-        "numbers around those of all that is drawn, the same in all frames)")
-    add("--map", default="heat", metavar="NAME", help="colour map: heat, viridis, inferno, cool-warm, grey (default: heat); "
-        "-r behind the name reverses it")
+    add("--units", metavar="SYSTEM", help="convert to a system of units, such as 'mm, kg, ms' (default: that of the "
+                                          "deck); lengths and values of other options are in it, too")
+    add("--range", metavar="LOW:HIGH", type=parse_pair,
+        help="ends of the colour bar in the unit of the file "
+             "(default: round numbers around those of all that is drawn, the same in all frames)")
+    add("--map", default="heat", metavar="NAME",
+        help="colour map: heat, viridis, inferno, cool-warm, grey (default: heat); -r behind the name reverses it")
     add("--view", metavar="AZIMUTH:ELEVATION", type=parse_pair, default=(-50.0, 22.0),
-        help="where the camera stands, in degrees: from +x towards +y about z, and above the xy plane (default: -50:22)")
-    add("--look-at", metavar="X:Y:Z", type=parse_point, help="the point in the middle of the picture (default: all is in view)")
+        help="where the camera stands, in degrees: from +x towards +y about z, and above the xy plane "
+             "(default: -50:22)")
+    add("--look-at", metavar="X:Y:Z", type=parse_point,
+        help="the point in the middle of the picture (default: all is in view)")
     add("--zoom", metavar="FACTOR", type=parse_factor, default=1.0,
         help="magnification (default: 1)")
     add("--focus", choices=["run", "start"], default="run",
         help="what the camera frames: all that the run shows (default), or the scene as it starts")
     add("--part", metavar="NAME", action="append", help="draw this part only; several times, or NAME,NAME, for several")
-    add("--clip", metavar="AXIS=VALUE", type=parse_clip, help="cut the bodies open, as they start, at this x, y or z, and take "
-        "away the side where the camera stands; +x=VALUE takes away what is above, -x=VALUE what is below")
+    add("--clip", metavar="AXIS=VALUE", type=parse_clip,
+        help="cut the bodies open, as they start, at this x, y or z, and take away the side where the camera stands; "
+             "+x=VALUE takes away what is above, -x=VALUE what is below")
     add("--no-walls", action="store_true", help="do not draw rigid walls")
-    add("--percentile", metavar="P", type=parse_percentile, help="the colour bar ends at this percentile of what is drawn, in the frame where "
-        "it is largest; 100 for all (default: 99, where the largest values are far above it)")
+    add("--percentile", metavar="P", type=parse_percentile,
+        help="the colour bar ends at this percentile of what is drawn, in the frame where it is largest; "
+             "100 for all (default: 99, where the largest values are far above it)")
     add("--no-mark", dest="mark", action="store_false", help="do not mark the largest value")
-    add("--follow", metavar="PART", nargs="?", const="moving", help="the camera follows this part, or without a name what moves most")
+    add("--follow", metavar="PART", nargs="?", const="moving",
+        help="the camera follows this part, or without a name what moves most")
     add("--mirror", metavar="AXIS=VALUE", nargs="?", const="deck", action="append", type=parse_mirror,
         help="add the mirrored half at this plane; without a value at those of the deck's conditions with `symmetry`")
-    add("--beside", metavar="DIR", help="the same frames of another run to the right, by time, with one range of colours")
+    add("--beside", metavar="DIR",
+        help="the same frames of another run to the right, by time, with one range of colours")
     add("--video", choices=["mp4", "webm"], action="append", default=[], help="also a film; needs ffmpeg")
-    add("--frame", metavar="N", type=parse_frames, help="only this frame, or those of N,N,...; -1 is the last (default: all, and "
-        "an animation)")
-    add("--size", metavar="WxH", type=parse_size, default=(1280, 720), help="size of the pictures in pixels (default: 1280x720)")
+    add("--frame", metavar="N", type=parse_frames,
+        help="only this frame, or those of N,N,...; -1 is the last (default: all, and an animation)")
+    add("--size", metavar="WxH", type=parse_size, default=(1280, 720),
+        help="size of the pictures in pixels (default: 1280x720)")
     add("--edges", choices=["auto", "on", "off"], default="auto",
         help="draw the edges of the elements (default: auto, which is on up to 60000 faces)")
     add("--fps", type=float, default=12.0, help="frames per second of the animation (default: 12)")
@@ -106,7 +116,8 @@ def parse_frames(text):
     try:
         return [int(word) for word in text.split(",")]
     except ValueError:
-        raise argparse.ArgumentTypeError(f"'{text}' is not a number of a frame, or several with commas between them") from None
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number of a frame, "
+                                         "or several with commas between them") from None
 
 
 def parse_pair(text):
@@ -157,7 +168,8 @@ def parse_clip(text):
     try:
         return words[1], "xyz".index(words[2]), float(words[3])
     except (TypeError, ValueError):
-        raise argparse.ArgumentTypeError(f"'{text}' is not x=VALUE, y=VALUE or z=VALUE, with + or - before it or not") from None
+        raise argparse.ArgumentTypeError(f"'{text}' is not x=VALUE, y=VALUE or z=VALUE, "
+                                         "with + or - before it or not") from None
 
 
 def fail(message):

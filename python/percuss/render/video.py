@@ -18,7 +18,8 @@ REST = 1.2  # seconds on the last picture
 
 def check_ffmpeg():
     if not shutil.which("ffmpeg"):
-        raise BadChoice("there is no ffmpeg, which makes mp4 and webm: install it (Debian: ffmpeg), or leave --video out")
+        raise BadChoice("there is no ffmpeg, which makes mp4 and webm: install it "
+                        "(Debian: ffmpeg), or leave --video out")
 
 
 def encode_video(images, fps, kind):
@@ -26,9 +27,11 @@ def encode_video(images, fps, kind):
     width, height = (size - size % 2 for size in images[0].size)
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, f"film.{kind}")
-        command = ["ffmpeg", "-v", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{width}x{height}", "-r", f"{fps:g}", "-i", "-",
-                   *CODECS[kind], "-pix_fmt", "yuv420p", "-metadata", f"comment={make_mark('render')}", path]
-        pictures = [np.ascontiguousarray(np.asarray(image.convert("RGB"))[:height, :width]).tobytes() for image in images]
+        command = ["ffmpeg", "-v", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{width}x{height}", "-r",
+                   f"{fps:g}", "-i", "-", *CODECS[kind], "-pix_fmt", "yuv420p", "-metadata",
+                   f"comment={make_mark('render')}", path]
+        pictures = [np.ascontiguousarray(np.asarray(image.convert("RGB"))[:height, :width]).tobytes()
+                    for image in images]
         pictures += pictures[-1:] * round(REST * fps)
         done = subprocess.run(command, input=b"".join(pictures), capture_output=True, check=False)
         if done.returncode != 0:

@@ -13,7 +13,8 @@ SEEN_FROM_BEHIND = 0.25  # opacity then: what lives in front of the wall is seen
 
 
 class WallPlates:
-    """The plates of a wall, which may move from frame to frame; `actor` draws them. The edges of a wall of one plate are drawn."""
+    """The plates of a wall, which may move from frame to frame; `actor` draws them.
+    The edges of a wall of one plate are drawn."""
 
     def __init__(self, line_width):
         self._points, self._cells, self._mesh = vtkPoints(), vtkCellArray(), vtkPolyData()

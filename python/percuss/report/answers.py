@@ -1,4 +1,5 @@
-"""In short: what happened, how large the largest force was and when, whether the run can be trusted, and what to change."""
+"""In short: what happened, how large the largest force was and when,
+whether the run can be trusted, and what to change."""
 
 import math
 import os
@@ -30,8 +31,9 @@ def make_answers(run, findings):
             ("Largest force, and when?", describe_forces(run)),
             ("May I trust it?", [escape(judge_trust(run, findings))]),
             ("What would I change?", [escape(text) for text in changes or [REFINE]])]
-    return "<dl class=answers>" + "".join(f"<dt>{escape(question)}</dt><dd>{''.join(f'<div>{text}</div>' for text in texts)}</dd>"
-                                          for question, texts in rows if texts) + "</dl>"
+    return ("<dl class=answers>"
+            + "".join(f"<dt>{escape(question)}</dt><dd>{''.join(f'<div>{text}</div>' for text in texts)}</dd>"
+                      for question, texts in rows if texts) + "</dl>")
 
 
 def show(run, value, quantity):
@@ -56,17 +58,20 @@ def describe_events(run):
             f"{show(run, energy['kinetic'], 'energy')}. ")
     stored = find_energy_in_contact_springs(run)
     contact = energy["contact"] + stored
-    shares = [("internal energy", energy["internal"]), ("hourglass energy", energy["hourglass"]), ("bulk viscosity", energy["viscous"]),
+    shares = [("internal energy", energy["internal"]), ("hourglass energy", energy["hourglass"]),
+              ("bulk viscosity", energy["viscous"]),
               ("folding energy", energy.get("folding", 0)), ("eroded elements", run.summary["eroded"]["energy"]),
               ("friction", -energy["friction"]), ("damping", -energy["damping"]),
-              ("springs of contact", stored), ("added by normal contact" if contact > 0 else "lost in normal contact", abs(contact))]
+              ("springs of contact", stored),
+              ("added by normal contact" if contact > 0 else "lost in normal contact", abs(contact))]
     largest = max(abs(value) for value in (start, energy["kinetic"], energy["internal"], energy["external"]))
     parts = [f"{name} {show(run, value, 'energy')}" for name, value in shares if value and abs(value) > 1e-3 * largest]
     text += f"At the end: {', '.join(parts)}." if parts else ""
     if energy["external"] and abs(energy["external"]) > 1e-3 * largest:
         text += f" Loads, gravity and prescribed motion did the work {show(run, energy['external'], 'energy')}."
     limit = [f"The run was {run.step_limit}."] if run.step_limit else []
-    return [*describe_relaxation(run), *limit, text, *describe_motions(run), *describe_erosion(run), *describe_welds(run, show_time), *describe_ties(run)]
+    return [*describe_relaxation(run), *limit, text, *describe_motions(run), *describe_erosion(run),
+            *describe_welds(run, show_time), *describe_ties(run)]
 
 
 def describe_relaxation(run):
@@ -77,7 +82,8 @@ def describe_relaxation(run):
     preloads = run.deck.get_map("start.preload")
     reached = f"; preloads are reached to {relaxation['preload_error']:.2g} of their forces" if preloads else ""
     return [f"Before time 0 the relaxation {'settled' if relaxation['state'] == 'settled' else 'did not settle'} in "
-            f"{relaxation['damped_steps']:,} steps, with {relaxation['kinetic_ratio']:.2g} of the energy left as motion{reached}."]
+            f"{relaxation['damped_steps']:,} steps, "
+            f"with {relaxation['kinetic_ratio']:.2g} of the energy left as motion{reached}."]
 
 
 def describe_ties(run):
@@ -98,16 +104,18 @@ def describe_erosion(run):
     first = ""
     if run.has_history and "eroded_elements" in run.history:
         row = int(np.argmax(run.history["eroded_elements"] > 0))
-        first = f", the first by t = {show_time(run, run.history['time'][row])}" if run.history["eroded_elements"][row] > 0 else ""
+        first = (f", the first by t = {show_time(run, run.history['time'][row])}"
+                 if run.history["eroded_elements"][row] > 0 else "")
     return [f"{count:,} of {run.summary['elements']:,} elements failed{first}."]
 
 
 def find_peaks_of_forces(run):
-    """[(name, what it is, largest magnitude, its time, whether a mean between rows)]: means before values of one step, then the
-    largest first."""
+    """[(name, what it is, largest magnitude, its time, whether a mean between rows)]: means before values of one step,
+    then the largest first."""
     history, found = run.history, []
     for name in list_forces(history):
-        found.append((name, describe_kind(run, name), *_find_peak(history, np.linalg.norm(find_force(history, name), axis=1)), True))
+        found.append((name, describe_kind(run, name),
+                      *_find_peak(history, np.linalg.norm(find_force(history, name), axis=1)), True))
     if "wall_force_x" in history and not any(kind.startswith("wall ") for _, kind, *_ in found):
         size = np.linalg.norm([history[f"wall_force_{axis}"] for axis in "xyz"], axis=0)
         found.append(("wall_force", "all walls", *_find_peak(history, size), False))
@@ -144,22 +152,26 @@ def describe_forces(run):
     texts = []
     for name, kind, value, time, is_mean in peaks[:4]:
         meaning = "mean since the row before" if is_mean else "value of one step"
-        text = f"{name}{f' ({kind})' if kind else ''}: {show(run, value, 'force')} at t = {show_time(run, time)}, {meaning}."
+        text = (f"{name}{f' ({kind})' if kind else ''}: {show(run, value, 'force')} at t = "
+                f"{show_time(run, time)}, {meaning}.")
         if is_mean:
             mean = np.linalg.norm(find_impulse(run.history, name)) / (run.history["time"][-1] - run.history["time"][0])
             text += f" Mean over the whole run {show(run, mean, 'force')}."
             last = float(np.linalg.norm(find_force(run.history, name)[-1]))
-            text += f" {show(run, last, 'force')} in the last row: it still acts." if last > STILL_LOADED * value else ""
+            text += (f" {show(run, last, 'force')} in the last row: it still acts."
+                     if last > STILL_LOADED * value else "")
         texts.append(escape(text))
     if not any(is_mean for *_, is_mean in peaks) and not list_forces(run.history):
-        texts.append(escape("The history has no forces of contact, supports or sections. For forces whose integral is exact, add to the deck:")
+        texts.append(escape("The history has no forces of contact, supports or sections. "
+                            "For forces whose integral is exact, add to the deck:")
                      + show_deck(suggest_forces(run)))
     if peaks and peaks[0][-1]:
         rows = float(np.median(np.diff(run.history["time"])))
         unit, factor = choose_time_unit(run.units.name_of("time") if run.units else "", rows)
         text = f"Rows are {f'{rows * factor:.3g} {unit}'.rstrip()} apart; a shorter peak is averaged."
         if not is_resolved(run.history, peaks[0][0]):
-            text += (f" The peak of {peaks[0][0]} rises or falls by more than half from one row to the next: its true height is larger.")
+            text += (f" The peak of {peaks[0][0]} rises or falls by more than half from one row to the next: its true "
+                     "height is larger.")
         if run.units and (run.history["time"][-1] - run.history["time"][0]) * run.units.time[1] > PERIODS * 0.6 / 1000:
             text += f" To compare with a filtered test signal: percuss plot DIR 'f?:{peaks[0][0]}' --cfc 1000."
         texts.append(escape(text))
@@ -167,7 +179,8 @@ def describe_forces(run):
 
 
 def list_changes_of_import(run):
-    """What percuss import has left out or changed of another program's deck, as its report beside the deck says: first what the user has allowed."""
+    """What percuss import has left out or changed of another program's deck, as its report beside the deck says:
+    first what the user has allowed."""
     path = os.path.join(os.path.dirname(run.deck.file), "import_report.json")
     if not run.deck.file or not os.path.isfile(path):
         return []
@@ -175,7 +188,8 @@ def list_changes_of_import(run):
         cards = load_json(path, {"cards": [{"card": TEXT, "outcome": TEXT, "how": TEXT}]})["cards"]
     except NotResults:
         return []
-    found = [f"Put back what the import has left out, if it matters: *{card['card']} ({card['how']})." for card in cards if card["outcome"] == "left out"]
+    found = [f"Put back what the import has left out, if it matters: *{card['card']} ({card['how']})."
+             for card in cards if card["outcome"] == "left out"]
     count = sum(card["outcome"] == "approximated" for card in cards)
     if count:
         names = ", ".join(dict.fromkeys(f"*{card['card']}" for card in cards if card["outcome"] == "approximated"))
@@ -198,7 +212,8 @@ def list_changes_for_forces(run):
         found.append(f"Write rows more often (output.history.every): they do not show the whole peak of {name}.")
     last = float(np.linalg.norm(find_force(run.history, name)[-1]))
     if last > STILL_LOADED * value and not kind.startswith(("support", "section")):
-        found.append(f"Raise time.end if the event should come to its end: {name} still acts. A later peak may be larger.")
+        found.append(f"Raise time.end if the event should come to its end: {name} still acts. "
+                     "A later peak may be larger.")
     return found
 
 
@@ -219,7 +234,8 @@ def suggest_forces(run):
     rows = list(dict.fromkeys(rows))[:4]
     every = deck.get("output.history.every")
     head = "output:\n  history:\n" + (f"    every: {every}\n" if every else "")
-    return head + "    forces:\n" + "".join(f"      - {row}\n" for row in rows or ["{name: force, contact: [PART, all]}"])
+    return (head + "    forces:\n"
+            + "".join(f"      - {row}\n" for row in rows or ["{name: force, contact: [PART, all]}"]))
 
 
 def _group_by_motion(deck, parts):
@@ -228,7 +244,8 @@ def _group_by_motion(deck, parts):
     for entry in deck.get_list("initial"):
         name = (entry.get("part") or entry.get("nodes")) if isinstance(entry, dict) else None
         if name in parts:
-            groups.setdefault(repr({key: value for key, value in entry.items() if key not in ("part", "nodes")}), []).append(name)
+            groups.setdefault(repr({key: value for key, value in entry.items() if key not in ("part", "nodes")}),
+                              []).append(name)
     return [list(dict.fromkeys(group)) for group in groups.values()]
 
 
@@ -238,11 +255,13 @@ def judge_trust(run, findings):
     if count[BAD]:
         return f"No: {_first(findings, BAD)}"
     energy = run.summary.get("energy", {})
-    sums = f"energy is balanced to {abs(energy['error']):.2g}" if not math.isnan(energy.get("error", math.nan)) else "there are no balances yet"
+    sums = (f"energy is balanced to {abs(energy['error']):.2g}" if not math.isnan(energy.get("error", math.nan))
+            else "there are no balances yet")
     if count["look"]:
         points = "1 point" if count["look"] == 1 else f"{count['look']} points"
         return f"With care: {sums}, but {points} below need{'s' if count['look'] == 1 else ''} a look first."
-    return (f"As far as balances show, yes: {sums}, and no limit is exceeded. Balances do not show errors of the mesh or of material data: "
+    return (f"As far as balances show, yes: {sums}, and no limit is exceeded. "
+            "Balances do not show errors of the mesh or of material data: "
             "compare with a finer mesh or a test.")
 
 

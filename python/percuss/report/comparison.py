@@ -13,16 +13,16 @@ from percuss.results.extremes import find_size, find_top
 from .markup import Markup, escape, fold, format_number, make_table
 from .scene import flatten
 
-MACHINE = ("setup_s", "loop_s", "grind_ns", "phases_s", "earlier", "peak_bytes", "ranks", "threads", "messages", "balance", "decomposition",
-           "skipped")
+MACHINE = ("setup_s", "loop_s", "grind_ns", "phases_s", "earlier", "peak_bytes", "ranks", "threads", "messages",
+           "balance", "decomposition", "skipped")
 FIRST_DIMENSIONS = ("force", "energy")
 ROUND_OFF = 1e-6  # of the largest column of a dimension: what stays below it is noise
 EQUAL_ABOVE = 1e-14  # relative differences below are written as 0
 
 
 def compare_numbers(values, is_name=False):
-    """Text of the differences of each next number from the first: '+1.2 %'; empty where there is none. is_name: the number
-    tells things apart, as that of an element does."""
+    """Text of the differences of each next number from the first: '+1.2 %'; empty where there is none. is_name: the
+    number tells things apart, as that of an element does."""
     first = values[0]
     texts = []
     for value in values[1:]:
@@ -43,7 +43,8 @@ def make_bits_text(runs):
     if not all(hashes):
         return "<p>Not every run has a state hash (it is written at the end), so that bits cannot be compared.</p>"
     if len(set(hashes)) == 1:
-        return f"<p class=same>Same bits: all runs ended in the state {escape(hashes[0])}.</p>" + make_first_difference(runs)
+        return (f"<p class=same>Same bits: all runs ended in the state {escape(hashes[0])}.</p>"
+                + make_first_difference(runs))
     groups = {}
     for run, value in zip(runs, hashes):
         groups.setdefault(value, []).append(run)
@@ -53,7 +54,8 @@ def make_bits_text(runs):
 
 
 def make_first_difference(runs):
-    """Whether the texts of the histories are the same, and where the first row differs. Texts read back to the same bits."""
+    """Whether the texts of the histories are the same, and where the first row differs.
+    Texts read back to the same bits."""
     if not all(run.has_history for run in runs):
         return ""
     first, text = _read_lines(runs[0]), ""
@@ -87,7 +89,8 @@ def _name_differences(first, other, row, most=6):
 def make_summary_table(runs, labels):
     """Numbers of summary.json that differ; those of the machine and those that are equal are folded."""
     tables = [dict(_split_lists(flatten(run.summary))) for run in runs]
-    keys = [key for key in tables[0] if all(key in table for table in tables) and not key.startswith(("warnings", "state_hash"))]
+    keys = [key for key in tables[0]
+            if all(key in table for table in tables) and not key.startswith(("warnings", "state_hash"))]
     rows, machine, equal = [], [], 0
     for key in keys:
         values = [table[key] for table in tables]
@@ -102,12 +105,14 @@ def make_summary_table(runs, labels):
     numbers = range(1, len(heading))
     shown = make_table(heading, rows, numbers) if rows else "<p>All results in summary.json are equal.</p>"
     return (shown + f"<p class=soft>{equal} more keys are equal.</p>" +
-            (fold("What depends on the machine: time, memory, messages", make_table(heading, machine, numbers)) if machine else ""))
+            (fold("What depends on the machine: time, memory, messages", make_table(heading, machine, numbers))
+             if machine else ""))
 
 
 def _name_unit(runs, key):
     """' [J]' of a key of summary.json with a dimension, where all runs have one system of units."""
-    quantity, units = OF_SUMMARY.get(key) or OF_SUMMARY.get(key.rpartition(".")[0]), {run.units and run.units.text for run in runs}
+    quantity, units = (OF_SUMMARY.get(key) or OF_SUMMARY.get(key.rpartition(".")[0]),
+                       {run.units and run.units.text for run in runs})
     return f" [{runs[0].units.name_of(quantity)}]" if quantity and len(units) == 1 and runs[0].units else ""
 
 
@@ -121,9 +126,10 @@ def _split_lists(rows):
 
 
 def find_history_differences(first, other):
-    """[(column, largest difference over the largest magnitude, its time, the same at the end)] at the times of the first; both in
-    one system of units. Forces and energies come first, then what else has a dimension, then counts, errors and the time step;
-    last what is round-off beside others of its dimension. Among these the largest difference is first."""
+    """[(column, largest difference over the largest magnitude, its time, the same at the end)] at the times of the
+    first; both in one system of units. Forces and energies come first, then what else has a dimension, then counts,
+    errors and the time step; last what is round-off beside others of its dimension.
+    Among these the largest difference is first."""
     end = min(first["time"][-1], other["time"][-1])
     time = first["time"][first["time"] <= end * (1 + 1e-12)]
     rows = []
@@ -140,7 +146,8 @@ def find_history_differences(first, other):
     largest = {}
     for name, *_ in rows:
         dimension = first.dimension(name)
-        largest[dimension] = max(largest.get(dimension, 0.0), *(_find_size(history, name) for history in (first, other)))
+        largest[dimension] = max(largest.get(dimension, 0.0),
+                                 *(_find_size(history, name) for history in (first, other)))
     return sorted(rows, key=lambda row: (_rank(first, other, row[0], largest), -row[1]))
 
 
@@ -155,7 +162,8 @@ def _rank(first, other, name, largest):
 
 
 def _find_size(history, name):
-    """The largest magnitude of a column; of a component that of all three, so that round-off of one that is zero does not count."""
+    """The largest magnitude of a column;
+    of a component that of all three, so that round-off of one that is zero does not count."""
     parts = re.fullmatch(r"(momentum_|angular_|wall_force_|f|m)[xyz](:.*)?", name)
     names = [parts[1] + axis + (parts[2] or "") for axis in "xyz"] if parts else [name]
     return max(find_size(history[n]) for n in names if n in history)
@@ -177,7 +185,8 @@ def make_history_table(runs, histories, labels):
                 text += fold(f"{len(rows) - 12} more columns", make_table(heading, rows[12:], (2, 3, 4)))
         else:
             text += "<p>Every column is equal.</p>"
-    return text + "<p class=soft>Differences are shares of the largest magnitude of the column, at the times of the first run.</p>"
+    return (text + "<p class=soft>Differences are shares of the largest magnitude of the column, "
+                   "at the times of the first run.</p>")
 
 
 def make_deck_difference(runs, labels):

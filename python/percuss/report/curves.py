@@ -13,11 +13,13 @@ from .markup import escape, make_table, with_unit
 
 
 def make_curves(runs, labels, words, x="time"):
-    """words: as percuss plot has them. What is one number in every run is a row of a table; the rest is drawn. runs: those with a history."""
+    """words: as percuss plot has them. What is one number in every run is a row of a table; the rest is drawn.
+    runs: those with a history."""
     if not words:
         return ""
     units = runs[0].units
-    histories = [run.history.in_units(units) if units and run.units and run.units.text != units.text else run.history.copy() for run in runs]
+    histories = [run.history.in_units(units) if units and run.units and run.units.text != units.text
+                 else run.history.copy() for run in runs]
     options = Options()
     numbers = {word: values for word in words if (values := _find_numbers(word, histories, options.notes))}
     heading = ["", *(labels if len(runs) > 1 else ["value"])]
@@ -29,7 +31,8 @@ def make_curves(runs, labels, words, x="time"):
     drawn = add_expressions(drawn, histories, options, list_panels(histories))
     options.x = choose_abscissa(x, histories, options)
     plot = Plot(list(zip(labels, runs, histories)), options)
-    figures = "".join(f"<figure>{write_svg(plot.draw_one(panel))}</figure>" for panel in choose_panels(drawn, histories))
+    figures = "".join(f"<figure>{write_svg(plot.draw_one(panel))}</figure>"
+                      for panel in choose_panels(drawn, histories))
     over = f"<p class=soft>Over {escape(x)}.</p>" if options.x != "time" else ""
     return f"{table}{over}{_write_notes(options.notes)}<div class=plots>{figures}</div>"
 

@@ -35,7 +35,8 @@ def find_findings(run):
     found = [_judge_status(run)]
     if summary:
         found += [_describe_warning(run, warning) for warning in run.warnings]
-        found += _judge_energies(run, summary) + _judge_momentum(summary) + _judge_steps(run, summary) + _judge_losses(run, summary)
+        found += (_judge_energies(run, summary) + _judge_momentum(summary) + _judge_steps(run, summary)
+                  + _judge_losses(run, summary))
     if run.has_history and len(run.history) > 1:
         found += _judge_history(run.history)
     order = {BAD: 0, LOOK: 1, GOOD: 2}
@@ -47,10 +48,12 @@ def _judge_status(run):
         "completed": _judge_end(run),
         "failed": (BAD, f"The run failed: {run.summary.get('error', '')} What follows holds up to then.",
                    _find_remedy(run.summary.get("error", ""))),
-        "interrupted": (LOOK, "The run was interrupted; it can be continued with --restart.", "continue it with --restart DIR/checkpoint.h5"),
+        "interrupted": (LOOK, "The run was interrupted; it can be continued with --restart.",
+                        "continue it with --restart DIR/checkpoint.h5"),
         "running": (LOOK, "The run is under way: numbers are those so far."),
         "starting": (LOOK, "The run has only begun."),
-        "killed": (BAD, "The run was killed, or could not write its end: there are only numbers of its history and fields."),
+        "killed": (BAD,
+                   "The run was killed, or could not write its end: there are only numbers of its history and fields."),
     }
     return Finding(*texts.get(run.status, (LOOK, f"The run says '{run.status}'.")))
 
@@ -65,9 +68,11 @@ def _judge_end(run):
 
 def _describe_warning(run, warning):
     place = f"{warning['place']}: " if warning.get("place") else ""
-    when = f" First at t = {warning['time']:.4g}{_unit(run, 'time')}" if warning.get("time") else " Known before the first step"
+    when = (f" First at t = {warning['time']:.4g}{_unit(run, 'time')}" if warning.get("time")
+            else " Known before the first step")
     often = f", {warning['count']} times." if warning.get("count", 1) > 1 else "."
-    return Finding(LOOK, f"Warning [{warning['rule']}] {place}{warning['text']}.{when}{often}", _find_remedy(warning["text"], warning))
+    return Finding(LOOK, f"Warning [{warning['rule']}] {place}{warning['text']}.{when}{often}",
+                   _find_remedy(warning["text"], warning))
 
 
 def _find_remedy(message, warning=None):
@@ -79,7 +84,8 @@ def _find_remedy(message, warning=None):
 
 def find_energy_in_contact_springs(run):
     """At the end, of penalty contact: contact has taken it, but gives it back."""
-    return float(run.history["contact_stored"][-1]) if run.has_history and len(run.history) and "contact_stored" in run.history else 0.0
+    return (float(run.history["contact_stored"][-1])
+            if run.has_history and len(run.history) and "contact_stored" in run.history else 0.0)
 
 
 def _judge_energies(run, summary):
@@ -98,13 +104,14 @@ def _judge_energies(run, summary):
         if is_small and not share < HOURGLASS_SHARE:
             advice = f", but below {100 * SMALL_ENERGY:g} % of the largest energy: it does not count."
         if is_small or not _has_warning(summary, "hourglass_energy"):  # the warning says it with the part
-            found.append(Finding(GOOD if is_small else LOOK, f"Hourglass energy is {100 * share:.3g} % of the internal energy "
-                                                             f"(limit {100 * HOURGLASS_SHARE:g} %){advice}",
+            found.append(Finding(GOOD if is_small else LOOK, f"Hourglass energy is {100 * share:.3g} % of the internal "
+                                                             f"energy (limit {100 * HOURGLASS_SHARE:g} %){advice}",
                                  "use smaller elements, or with hexahedra elements: {integration: full}"))
     lost = -energy["contact"] - find_energy_in_contact_springs(run)
     if largest > 0 and -lost > CONTACT_SHARE * largest:
         found.append(Finding(LOOK, f"Normal contact has added {100 * -lost / largest:.3g} % of the largest energy: "
-                                   "look at overlaps at the start.", "remove overlaps at the start, or set contact.overlap: push_out"))
+                                   "look at overlaps at the start.",
+                                   "remove overlaps at the start, or set contact.overlap: push_out"))
     return found + find_contact_loss(run)
 
 
@@ -115,9 +122,10 @@ def find_contact_loss(run):
     lost = -energy["contact"] - find_energy_in_contact_springs(run)
     if not lost > CONTACT_LOSS * largest:
         return []
-    return [Finding(LOOK, f"Normal contact has taken {100 * lost / largest:.3g} % of the largest energy: bodies rebound the more slowly.",
-                    "use smaller elements where bodies that deform meet, or contact.enforcement: penalty, and check contact.restitution "
-                    "of rigid ones")]
+    return [Finding(LOOK, f"Normal contact has taken {100 * lost / largest:.3g} % of the largest energy: bodies "
+                          "rebound the more slowly.",
+                    "use smaller elements where bodies that deform meet, or contact.enforcement: penalty, "
+                    "and check contact.restitution of rigid ones")]
 
 
 def _has_warning(summary, rule):
@@ -130,8 +138,9 @@ def _judge_momentum(summary):
         error = summary["momentum"][f"{name}_error"]
         if not math.isnan(error) and summary["status"] != "running":
             level = GOOD if error < MOMENTUM_ERROR else LOOK
-            found.append(Finding(level, f"{name.capitalize()} momentum is balanced to {error:.2g}.",
-                                 "look for the step at which momentum changes, and report it: only round-off should be left"))
+            found.append(
+                Finding(level, f"{name.capitalize()} momentum is balanced to {error:.2g}.",
+                        "look for the step at which momentum changes, and report it: only round-off should be left"))
     return found
 
 
@@ -145,9 +154,11 @@ def _judge_steps(run, summary):
     if dt.get("spring"):
         where = f"spring '{dt['spring']}'"
     where = dt.get("approach") or where
-    text = f"The step went from {dt['max']:.4g} down to {dt['min']:.4g}{_unit(run, 'time')}; {where} limits the last one."
+    text = (f"The step went from {dt['max']:.4g} down to {dt['min']:.4g}{_unit(run, 'time')}; "
+            f"{where} limits the last one.")
     found = [Finding(GOOD if dt["min"] > STEP_FALL * dt["max"] else LOOK, text,
-                     f"look at {where} in the last frame; failure criteria, mass scaling or other elements there keep the step")]
+                     f"look at {where} in the last frame; "
+                     "failure criteria, mass scaling or other elements there keep the step")]
     if summary["mass"]["share"] > ADDED_MASS:
         found.append(Finding(LOOK, f"Mass scaling added {100 * summary['mass']['share']:.3g} % of the mass.",
                              "lower the step of mass_scaling, and see whether forces change"))
@@ -183,21 +194,24 @@ def _judge_history(history):
         worst = find_top(history["residual"])
         value = history["residual"][worst]
         if value > PENETRATION:
-            found.append(Finding(LOOK, f"Contact left a penetration of {100 * value:.3g} % of a face's edge at "
-                                       f"t = {history['time'][worst]:.4g}.", "lower contact.tolerance or time.step_scale"))
+            found.append(Finding(LOOK, f"Contact left a penetration of {100 * value:.3g} % of a face's edge at t = "
+                                       f"{history['time'][worst]:.4g}.", "lower contact.tolerance or time.step_scale"))
     time, internal = history["time"], history["internal"]
     largest = max(find_size(history[name]) for name in ("kinetic", "internal"))
     late = internal[time >= time[-1] - 0.05 * (time[-1] - time[0])]
     if largest > 0 and len(late) > 1 and abs(late[-1] - late[0]) > STILL_CHANGING * largest:
-        found.append(Finding(LOOK, "The internal energy still changes at the end by more than 1 % of the largest energy in a "
-                                   "twentieth of the run: the event may not be over.", "raise time.end, and continue with --restart"))
+        found.append(Finding(LOOK, "The internal energy still changes at the end by more than 1 % of the largest "
+                                   "energy in a twentieth of the run: the event may not be over.",
+                             "raise time.end, and continue with --restart"))
     return found
 
 
 def find_peaks(history):
-    """[(column, largest value, its time, least value, its time)] of what has a dimension of force, of contacts and energies."""
+    """[(column, largest value, its time, least value, its time)] of what has a dimension of force,
+    of contacts and energies."""
     rows, forces = [], [name for name in history if history.dimension(name) == "force"]
-    largest = max((find_size(history[name]) for name in forces if len(history) and np.isfinite(history[name]).any()), default=0.0)
+    largest = max((find_size(history[name]) for name in forces if len(history) and np.isfinite(history[name]).any()),
+                  default=0.0)
     for name in history:
         wanted = name in forces or name in ("kinetic", "internal", "contacts", "residual")
         if name in forces and np.isfinite(history[name]).any() and not find_size(history[name]) > ROUND_OFF * largest:

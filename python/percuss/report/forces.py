@@ -1,4 +1,5 @@
-"""Forces of a run: their peaks and impulses, and whether impulses and momenta, and pairs and their sum, are in balance."""
+"""Forces of a run: their peaks and impulses, and whether impulses and momenta,
+and pairs and their sum, are in balance."""
 
 import numpy as np
 
@@ -45,8 +46,8 @@ def _name(value):
 
 
 def make_forces_table(run):
-    """A row for each force: largest resultant and its time, impulse, mean, and of contact and walls the largest normal force, area
-    and pressure."""
+    """A row for each force: largest resultant and its time, impulse, mean, and of contact and walls the largest normal
+    force, area and pressure."""
     history = run.history
     names = list_forces(history)
     if not names or len(history) < 2:
@@ -60,16 +61,17 @@ def make_forces_table(run):
         top = int(np.argmax(size))
         impulse = find_impulse(history, name)
         mean = np.linalg.norm(impulse) / (history["time"][-1] - history["time"][0])
-        rows.append((name, describe_kind(run, name), _show(size[top], force_unit), _show(history["time"][top] * factor, shown_unit),
+        rows.append((name, describe_kind(run, name), _show(size[top], force_unit),
+                     _show(history["time"][top] * factor, shown_unit),
                      "(" + ", ".join(f"{x:.4g}" for x in impulse) + ")", _show(mean, force_unit),
                      *(_show_peak(history, f"{quantity}:{name}") for quantity in ("normal", "area", "pressure"))))
     unit = f" [{force_unit} {time_unit}]" if force_unit else ""
-    heading = ("force", "of", "largest resultant", "at", f"impulse{unit}", "mean", "largest normal force", "largest area",
-               "largest pressure")
+    heading = ("force", "of", "largest resultant", "at", f"impulse{unit}", "mean", "largest normal force",
+               "largest area", "largest pressure")
     text = "<h3>Forces</h3>" + make_table(heading, rows, (2, 3, 5, 6, 7, 8))
-    return text + ("<p class=soft>Means over the time between rows: no impulse is lost, and a peak shorter than that time is "
-                   "averaged. The impulse is the momentum exchanged over the whole run. Area and pressure are of the nodes that "
-                   "are pushed; the pressure is that of the node with the most.</p>")
+    return text + ("<p class=soft>Means over the time between rows: no impulse is lost, and a peak shorter than that "
+                   "time is averaged. The impulse is the momentum exchanged over the whole run. Area and pressure are "
+                   "of the nodes that are pushed; the pressure is that of the node with the most.</p>")
 
 
 def _show_peak(history, column):
@@ -86,21 +88,24 @@ def _show(value, unit):
 def have_sets_masses(deck):
     """Whether rigid_sets bring mass or inertia, which no part has."""
     sets = deck.get("rigid_sets")
-    return isinstance(sets, dict) and any(isinstance(one, dict) and (one.get("mass") or one.get("inertia")) for one in sets.values())
+    return (isinstance(sets, dict)
+            and any(isinstance(one, dict) and (one.get("mass") or one.get("inertia")) for one in sets.values()))
 
 
 def find_balances(history, sets_have_masses=False):
-    """[(what, sum of the shares, the whole, difference over the largest magnitude)] of what must add up: the work of all pairs of
-    contact; energies, momenta of all parts, where there is a column for each. sets_have_masses: rigid_sets bring masses, which are
-    in no part."""
+    """[(what, sum of the shares, the whole, difference over the largest magnitude)] of what must add up: the work of
+    all pairs of contact; energies, momenta of all parts, where there is a column for each. sets_have_masses: rigid_sets
+    bring masses, which are in no part."""
     found = []
     for whole in ("contact", "friction"):
         _add(found, history, whole, f"work of {whole} by all pairs", [n for n in history if n.startswith(f"{whole}:")])
     blocks = {name for name in history if " of block '" in history.meaning(name)}  # of which parts consist
     # Work between parts and from outside is in no part, and removed nodes are in none.
     if "vanished_mass" not in history:
-        for whole in ("internal",) if sets_have_masses else ("kinetic", "internal", "momentum_x", "momentum_y", "momentum_z"):
-            _add(found, history, whole, f"{whole.replace('_', ' ')} of all parts", [n for n in history if n.startswith(f"{whole}:") and n not in blocks])
+        for whole in ("internal",) if sets_have_masses else ("kinetic", "internal", "momentum_x", "momentum_y",
+                                                             "momentum_z"):
+            _add(found, history, whole, f"{whole.replace('_', ' ')} of all parts",
+                 [n for n in history if n.startswith(f"{whole}:") and n not in blocks])
     return found
 
 
@@ -136,8 +141,8 @@ def make_balance_table(run):
 
 
 def find_momentum_balances(run):
-    """[(force, impulse, change of momentum, difference, words)] of each contact force on parts from all others, whose momenta are in
-    the history: they are the same where nothing else acts on the parts. Magnitudes of vectors."""
+    """[(force, impulse, change of momentum, difference, words)] of each contact force on parts from all others, whose
+    momenta are in the history: they are the same where nothing else acts on the parts. Magnitudes of vectors."""
     history, found = run.history, []
     others = "supports, loads and masses of rigid_sets" if have_sets_masses(run.deck) else "supports and loads"
     for name in list_forces(history):

@@ -42,8 +42,8 @@ def find_motions(fields):
             continue
         turned, back = _undo_rotation(first[nodes], last[nodes])
         speeds = tuple(float(np.linalg.norm(v[nodes].mean(axis=0))) for v in velocities) if velocities else None
-        found.append(Motion(name, (last[nodes] - first[nodes]).mean(axis=0), speeds, turned, np.ptp(first[nodes], axis=0),
-                            np.ptp(back, axis=0), int((mine & ~alive).sum())))
+        found.append(Motion(name, (last[nodes] - first[nodes]).mean(axis=0), speeds, turned,
+                            np.ptp(first[nodes], axis=0), np.ptp(back, axis=0), int((mine & ~alive).sum())))
     return found
 
 
@@ -67,7 +67,8 @@ def describe_motions(run):
     length, velocity = (run.units.name_of(quantity) if run.units else "" for quantity in ("length", "velocity"))
     sentences = []
     for motion in sorted(find_motions(run.fields), key=lambda motion: -np.linalg.norm(motion.moved)):
-        texts = [*_tell_path(motion, length, size), *_tell_turn(motion), *_tell_speeds(motion, velocity), *_tell_shape(motion, length)]
+        texts = [*_tell_path(motion, length, size), *_tell_turn(motion), *_tell_speeds(motion, velocity),
+                 *_tell_shape(motion, length)]
         if texts and _has_changed(motion, size):
             sentences.append(f"{motion.part}: {'; '.join(texts)}.")
     more = f"The table of parts has {len(sentences) - MOST_PARTS} more." if len(sentences) > MOST_PARTS else ""
@@ -113,8 +114,8 @@ def _tell_shape(motion, unit):
     axis = max(axes, key=lambda k: abs(motion.end[k] - motion.start[k]))
     ratio = motion.end[axis] / motion.start[axis]
     change = f"{ratio:.3g} times as long" if ratio > 3 else f"{100 * (ratio - 1):+.3g} %"  # bodies that fly apart
-    return [f"extent along {'xyz'[axis]} from {show_length(motion.start[axis], unit)} to {show_length(motion.end[axis], unit)} "
-            f"({change})"]
+    return [f"extent along {'xyz'[axis]} from {show_length(motion.start[axis], unit)} to "
+            f"{show_length(motion.end[axis], unit)} ({change})"]
 
 
 def show_length(value, unit):
@@ -134,13 +135,16 @@ def make_motion_table(run):
     for motion in find_motions(run.fields):
         moved = "(" + ", ".join(f"{x:.4g}" for x in motion.moved) + ")"
         speeds = [f"{speed:.4g}" for speed in motion.speeds] if motion.speeds else ["", ""]
-        rows.append((motion.part, moved, f"{motion.turned:.3g}", *speeds, *(" x ".join(f"{x:.4g}" for x in size) for size in (motion.start, motion.end)),
+        rows.append((motion.part, moved, f"{motion.turned:.3g}", *speeds,
+                     *(" x ".join(f"{x:.4g}" for x in size) for size in (motion.start, motion.end)),
                      f"{motion.lost:,}" if motion.lost else ""))
     in_unit, in_speed = (f" [{unit}]" if unit else "" for unit in (length, velocity))
-    heading = ("part", f"mean displacement{in_unit}", "rotation [degrees]", f"mean speed, start{in_speed}", "end", f"extents, start{in_unit}", "end", "elements lost")
+    heading = ("part", f"mean displacement{in_unit}", "rotation [degrees]", f"mean speed, start{in_speed}", "end",
+               f"extents, start{in_unit}", "end", "elements lost")
     kept = [column for column in range(len(heading)) if any(row[column] for row in rows)]
     if not rows:
         return ""
-    return "<h3>Motion of parts</h3>" + make_table([heading[c] for c in kept], [[row[c] for c in kept] for row in rows]) + \
-        ("<p class=soft>From the first frame to the last. Means over the nodes of active elements; extents along x, y and z, "
-         "those at the end without the mean rotation. Speeds are magnitudes of the mean velocity.</p>")
+    return ("<h3>Motion of parts</h3>"
+        + make_table([heading[c] for c in kept], [[row[c] for c in kept] for row in rows]) +
+        ("<p class=soft>From the first frame to the last. Means over the nodes of active elements; extents along x, "
+         "y and z, those at the end without the mean rotation. Speeds are magnitudes of the mean velocity.</p>"))

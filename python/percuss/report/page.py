@@ -43,23 +43,28 @@ def make_page(runs, options):
     sections = []
     if len(runs) > 1:
         sections.append(("compared", "Differences", _make_comparison(runs, labels)))
-    first = "".join(f"<h3>{escape(label)}</h3>" * (len(runs) > 1) + _list_findings(run) for label, run in zip(labels, runs))
+    first = "".join(f"<h3>{escape(label)}</h3>" * (len(runs) > 1) + _list_findings(run)
+                    for label, run in zip(labels, runs))
     if len(runs) == 1:
         sections.append(("short", "In short", make_answers(runs[0], find_findings(runs[0]))))
     chosen = [(run, label) for run, label in zip(runs, labels) if run.has_history and len(run.history)]
     if options.plot and not chosen:
         raise ValueError("there is no history to plot from (output.history of the deck)")
-    sections.append(("curves", "Chosen curves", make_curves([run for run, _ in chosen], [label for _, label in chosen], options.plot, options.x)))
+    sections.append(("curves", "Chosen curves",
+                     make_curves([run for run, _ in chosen], [label for _, label in chosen], options.plot, options.x)))
     sections.append(("first", "What to look at first", first))
     sections.append(("pictures", "Start, worst and end", _make_pictures(runs, labels, options)))
-    sections.append(("surface", "Interactive view" + (f": {labels[0]}" if len(runs) > 1 else ""), _make_view(runs[0], options)))
+    sections.append(("surface", "Interactive view" + (f": {labels[0]}" if len(runs) > 1 else ""),
+                     _make_view(runs[0], options)))
     sections.append(("plots", "Over time", _make_plots(runs, labels)))
-    sections.append(("run", "What was run", "".join(_make_scene(run, label, len(runs) > 1) for run, label in zip(runs, labels))))
+    sections.append(("run", "What was run",
+                     "".join(_make_scene(run, label, len(runs) > 1) for run, label in zip(runs, labels))))
     if len(runs) == 1 and runs[0].summary:
         sections.append(("cost", "What it cost", scene.make_cost_section(runs[0].summary)))
     links = "".join(f"<a href='#{name}'>{escape(heading)}</a>" for name, heading, text in sections if text)
     parts += [f"<nav>{links}</nav>", scene.make_facts(runs[0]) if len(runs) == 1 else ""]
-    parts += [f"<section id={name}><h2>{escape(heading)}</h2>{text}</section>" for name, heading, text in sections if text]
+    parts += [f"<section id={name}><h2>{escape(heading)}</h2>{text}</section>"
+              for name, heading, text in sections if text]
     return wrap_page(title, "".join(parts))
 
 
@@ -68,7 +73,8 @@ def wrap_page(title, body, tool="report"):
         style = file.read()
     return ("<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8>"
             "<meta name=viewport content='width=device-width, initial-scale=1'><link rel=icon href='data:,'>"
-            f"<meta name=generator content='{make_mark(tool)}'><title>{escape(title)}</title><style>{style}</style></head><body>{body}</body></html>\n")
+            f"<meta name=generator content='{make_mark(tool)}'><title>{escape(title)}</title><style>{style}</style>"
+            f"</head><body>{body}</body></html>\n")
 
 
 def _make_subtitle(runs):
@@ -76,8 +82,10 @@ def _make_subtitle(runs):
     units = f" Units of the deck: {runs[0].units.text}." if runs[0].units else " The deck names no units."
     others = list(dict.fromkeys(run.original.units.text for run in runs if hasattr(run, "original")))
     if others:
-        units = (f" Units: {runs[0].units.text}. Deck, materials and texts of warnings have those of the deck: {'; '.join(others)}.")
-    return f"<p class=soft>{escape(folders)}. Written {time.strftime('%Y-%m-%d %H:%M UTC', time.gmtime())}.{escape(units)}</p>"
+        units = (f" Units: {runs[0].units.text}. "
+                 f"Deck, materials and texts of warnings have those of the deck: {'; '.join(others)}.")
+    return (f"<p class=soft>{escape(folders)}. "
+            f"Written {time.strftime('%Y-%m-%d %H:%M UTC', time.gmtime())}.{escape(units)}</p>")
 
 
 def _list_findings(run):
@@ -93,13 +101,15 @@ def _make_pictures(runs, labels, options):
     drawn = [(run, label) for run, label in zip(runs, labels) if run.has_fields]
     names = [_choose_field(run.fields, options.field) for run, _ in drawn]
     worsts = [None if name in CATEGORIES else Worst(run.fields, name) for (run, _), name in zip(drawn, names)]
-    frames = [[0, *([] if worst is None else [worst.frame]), len(run.fields.times) - 1] for (run, _), worst in zip(drawn, worsts)]
+    frames = [[0, *([] if worst is None else [worst.frame]), len(run.fields.times) - 1]
+              for (run, _), worst in zip(drawn, worsts)]
     shared = None
     if options.pictures and len(set(names)) == 1 and names[0] not in CATEGORIES:
         shared = find_range([run.fields for run, _ in drawn], names[0], frames)
     text = ""
     for (run, label), name, worst, chosen in zip(drawn, names, worsts, frames):
-        text += f"<h3>{escape(label)}</h3>" * (len(runs) > 1) + _show_pictures(run.fields, name, worst, chosen, options, shared)
+        text += (f"<h3>{escape(label)}</h3>" * (len(runs) > 1)
+                 + _show_pictures(run.fields, name, worst, chosen, options, shared))
     if len(drawn) < len(runs):
         text += "<p class=soft>There are no fields to draw (output.fields of the deck).</p>"
     return text
@@ -124,7 +134,8 @@ def _show_pictures(fields, name, worst, frames, options, shared):
     try:
         pictures = draw_pictures(fields, name, frames, {"view": options.view, "range": shared, "units": options.units})
         if worst is not None and worst.part:
-            alone = draw_pictures(fields, name, [worst.frame], {"view": options.view, "range": shared, "units": options.units, "part": worst.part})
+            alone = draw_pictures(fields, name, [worst.frame],
+                                  {"view": options.view, "range": shared, "units": options.units, "part": worst.part})
     except RuntimeError as error:
         note(f"no pictures: {error}")
         return f"<p class=soft>There are no pictures: {escape(error)}</p>{sentence}"
@@ -160,7 +171,8 @@ def _make_view(run, options):
 def _histories(runs):
     """Histories in the units of the first run."""
     units = runs[0].units
-    return [run.history.in_units(units) if units and run.units and run.units.text != units.text else run.history for run in runs]
+    return [run.history.in_units(units) if units and run.units and run.units.text != units.text else run.history
+            for run in runs]
 
 
 def _make_plots(runs, labels):
@@ -176,10 +188,12 @@ def _make_plots(runs, labels):
     marks = plot.list_marks()
     text = ""
     if marks:
-        rows = [(number, f"{moment * plot.x_factor:.4g} {plot.x_unit}".rstrip(), words) for number, (moment, words) in enumerate(marks, 1)]
+        rows = [(number, f"{moment * plot.x_factor:.4g} {plot.x_unit}".rstrip(), words)
+                for number, (moment, words) in enumerate(marks, 1)]
         text = "<h3>Warnings in the plots</h3>" + make_table(("mark", "time", "rule and place"), rows)
     if len(runs) == 1:
-        text += make_forces_table(runs[0]) + make_accelerometers_table(runs[0]) + make_welds_table(runs[0]) + make_motion_table(runs[0]) + make_balance_table(runs[0]) + _make_peaks(runs[0])
+        text += (make_forces_table(runs[0]) + make_accelerometers_table(runs[0]) + make_welds_table(runs[0])
+                 + make_motion_table(runs[0]) + make_balance_table(runs[0]) + _make_peaks(runs[0]))
     return f"<div class=plots>{figures}</div>{text}"
 
 
@@ -188,8 +202,9 @@ def _make_peaks(run):
     rows = []
     unit, factor = choose_time_unit(history.unit("time"), float(history["time"][-1]) if len(history) else 0)
     for name, high, high_time, low, low_time in find_peaks(history):
-        rows.append((name, history.label(name), with_unit(float(high), history.unit(name)), f"{high_time * factor:.4g} {unit}",
-                     with_unit(float(low), history.unit(name)), f"{low_time * factor:.4g} {unit}"))
+        rows.append((name, history.label(name), with_unit(float(high), history.unit(name)),
+                     f"{high_time * factor:.4g} {unit}", with_unit(float(low), history.unit(name)),
+                     f"{low_time * factor:.4g} {unit}"))
     heading = ("column", "meaning", "largest", "at", "least", "at")
     return "<h3>Largest and least values of rows</h3>" + make_table(heading, rows, (2, 3, 4, 5)) if rows else ""
 
@@ -198,7 +213,8 @@ def _make_scene(run, label, several):
     text = f"<h3>{escape(label)}</h3>" * several + scene.make_parts_table(run)
     if several:
         return text
-    return text + scene.make_relaxation_table(run) + scene.make_materials_table(run.deck) + scene.make_loads_table(run.deck) + scene.make_deck_section(run.deck)
+    return (text + scene.make_relaxation_table(run) + scene.make_materials_table(run.deck)
+            + scene.make_loads_table(run.deck) + scene.make_deck_section(run.deck))
 
 
 def _make_comparison(runs, labels):

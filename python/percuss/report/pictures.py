@@ -19,12 +19,13 @@ QUALITY = 88  # of JPEG: about 60 kB a picture
 def choose_field(fields, wanted=None):
     """What colours show, where the user names nothing."""
     names = fields.names()
-    return wanted or next((name for name in ("von_mises", "stress", "equivalent_plastic_strain", "velocity") if name in names), "part")
+    first = ("von_mises", "stress", "equivalent_plastic_strain", "velocity")
+    return wanted or next((name for name in first if name in names), "part")
 
 
 class Worst:
-    """The frame in which a field is largest. Attributes: frame, value, item (index), place (node or element), part (its name,
-    where another part may hide it; else empty), text."""
+    """The frame in which a field is largest. Attributes: frame, value, item (index), place (node or element), part (its
+    name, where another part may hide it; else empty), text."""
 
     def __init__(self, fields, name):
         self.frame, self.value, self.item, self.place = 0, -np.inf, 0, fields.names()[name]
@@ -43,7 +44,8 @@ class Worst:
 
 
 def find_range(runs_fields, name, frames_of):
-    """'LOW:HIGH' of the colours of several runs: of what their pictures show. None of one run, whose range percuss render finds."""
+    """'LOW:HIGH' of the colours of several runs: of what their pictures show.
+    None of one run, whose range percuss render finds."""
     if len(runs_fields) < 2:
         return None
     values = []

@@ -28,11 +28,13 @@ def make_facts(run):
         (f"{summary['steps']:,}", "steps"),
         (f"{summary['elements']:,}", "elements"),
         (f"{summary['contact_faces']:,}", "contact faces"),
-        (f"{loop:.3g} s" if loop < 60 else format_duration(loop), f"computing time, {summary['ranks']} x {summary['threads']} cores"),
+        (f"{loop:.3g} s" if loop < 60 else format_duration(loop),
+         f"computing time, {summary['ranks']} x {summary['threads']} cores"),
         (f"{summary['energy']['error'] or 0:.2g}", "energy error"),
         (Markup(f"<span class=mono>{escape(summary['state_hash'] or '-')}</span>"), "state hash"),
     ]
-    cells = "".join(f"<div><b>{value if isinstance(value, Markup) else escape(value)}</b><span>{escape(name)}</span></div>"
+    cells = "".join(f"<div><b>{value if isinstance(value, Markup) else escape(value)}</b><span>{escape(name)}</span>"
+                    "</div>"
                     for value, name in facts)
     return f"<div class=facts>{cells}</div>"
 
@@ -74,7 +76,8 @@ def make_materials_table(deck):
     materials = deck.get_map("materials")
     if not materials:
         return ""
-    rows = [(name, values.get("model", ""), format_number({key: value for key, value in values.items() if key != "model"}))
+    rows = [(name, values.get("model", ""),
+             format_number({key: value for key, value in values.items() if key != "model"}))
             for name, values in materials.items() if isinstance(values, dict)]
     return "<h3>Materials</h3>" + make_table(("material", "model", "constants, in the units of the deck"), rows)
 
@@ -82,7 +85,8 @@ def make_materials_table(deck):
 def make_loads_table(deck):
     """What moves, holds and touches."""
     rows = []
-    for key in ("imperfections", "added_mass", "initial", "conditions", "loads", "gravity", "walls", "contact", "ties", "elements", "mass_scaling"):
+    for key in ("imperfections", "added_mass", "initial", "conditions", "loads", "gravity", "walls", "contact", "ties",
+                "elements", "mass_scaling"):
         value = deck.get(key)
         for item in value if isinstance(value, list) else [value] if value is not None else []:
             rows.append((key, format_number(item)))
@@ -98,14 +102,16 @@ def make_relaxation_table(run):
     tolerance = run.deck.get("start.relaxation.tolerance", 1e-6)
     frequency = unit_of(run, "frequency")
     rows = [("state", relaxation["state"]), ("damped steps", f"{relaxation['damped_steps']:,}"),
-            ("residual: kinetic energy over the scale", f"{relaxation['kinetic_ratio']:.3g} (tolerance {format_number(tolerance)})"),
+            ("residual: kinetic energy over the scale",
+             f"{relaxation['kinetic_ratio']:.3g} (tolerance {format_number(tolerance)})"),
             ("scale of the energy", with_unit(float(f"{relaxation['scale']:.4g}"), energy)),
             ("lowest frequency", with_unit(float(f"{relaxation['frequency']:.4g}"), frequency)),
             ("energy held at time 0", with_unit(float(f"{relaxation['energy']:.4g}"), energy))]
     preloads = run.deck.get_map("start.preload")
     for name, preload in preloads.items():
         if isinstance(preload, dict):
-            rows.append((f"preload {name} of {preload.get('part', '')}", with_unit(preload.get("force", ""), unit_of(getattr(run, "original", run), "force"))))
+            rows.append((f"preload {name} of {preload.get('part', '')}",
+                         with_unit(preload.get("force", ""), unit_of(getattr(run, "original", run), "force"))))
     if preloads:
         rows.append(("largest error of a preload", f"{relaxation['preload_error']:.2g} of its force"))
     return "<h3>Relaxation before time 0</h3>" + make_table(None, rows)
@@ -114,7 +120,8 @@ def make_relaxation_table(run):
 def make_deck_section(deck):
     """The values that were run; comments of the file are not among them."""
     if not deck:
-        return "<p class=soft>The deck is not known: neither summary.json nor a checkpoint has it (runs of older versions do not keep it).</p>"
+        return ("<p class=soft>The deck is not known: neither summary.json nor a checkpoint has it "
+                "(runs of older versions do not keep it).</p>")
     settings = f", with {', '.join(f'--set {setting}' for setting in deck.settings)}" if deck.settings else ""
     return fold(f"Deck as it was run: {deck.file or 'values of the checkpoint'}{settings}", show_deck(deck.text))
 
@@ -148,6 +155,7 @@ def make_cost_section(summary):
          f"elements {summary['balance']['elements']:.3g}, contact {summary['balance']['contact']:.3g}"),
         ("messages per step and rank", f"{summary['messages']['count']:.3g}, {summary['messages']['bytes']:.4g} bytes"),
         ("program", f"percuss {summary['version']}, {summary['backend']}, {summary['precision']}")]
-    return ("<div class=columns><div><h3>Work of the loop</h3>" + make_table(("phase", "time", "share"), phases, (1, 2)) +
+    return ("<div class=columns><div><h3>Work of the loop</h3>"
+            + make_table(("phase", "time", "share"), phases, (1, 2)) +
             "</div><div><h3>Work that was not needed, and skipped</h3>" + make_table(("work", "share"), skipped, (1,)) +
             "</div><div><h3>Run</h3>" + make_table(None, rows) + "</div></div>")

@@ -26,9 +26,9 @@ def find_accelerations(history, name):
 
 
 def find_filtered_peak(history, name):
-    """(largest resultant of the filtered components, its time, largest magnitude of each component). Before the first row and after the
-    last one nothing acts: an end within a vibration gives no peak, and an impact at time 0 keeps its own. ValueError where rows are too
-    far apart, or the deck names no units: the filter is one of seconds."""
+    """(largest resultant of the filtered components, its time, largest magnitude of each component). Before the first
+    row and after the last one nothing acts: an end within a vibration gives no peak, and an impact at time 0 keeps its
+    own. ValueError where rows are too far apart, or the deck names no units: the filter is one of seconds."""
     if history.units is None:
         raise ValueError("the deck names no units, and the filter is one of seconds: add units to the deck")
     time, values = resample(history["time"], find_accelerations(history, name))
@@ -41,30 +41,35 @@ def find_filtered_peak(history, name):
 
 
 def make_accelerometers_table(run):
-    """A row for each accelerometer: the peak of the filtered resultant and its time, components, and the peak without filter."""
+    """A row for each accelerometer: the peak of the filtered resultant and its time, components,
+    and the peak without filter."""
     history = run.history
     names = list_accelerometers(history)
     if not names or len(history) < 2:
         return ""
-    unit, (shown_unit, factor) = history.unit(f"local_ax:{names[0]}"), choose_time_unit(history.unit("time"), float(history["time"][-1]))
+    unit, (shown_unit, factor) = (history.unit(f"local_ax:{names[0]}"),
+                                  choose_time_unit(history.unit("time"), float(history["time"][-1])))
     rows, troubles = [], []
     for name in names:
         raw = np.linalg.norm(find_accelerations(history, name), axis=1)
         cells = [""] * 6
         try:
             peak, time, parts = find_filtered_peak(history, name)
-            cells = [_show(peak, unit), f"{peak * history.units.in_si('acceleration') / GRAVITY:.4g}", _show(time * factor, shown_unit),
-                     *(_show(part, unit) for part in parts)]
+            cells = [_show(peak, unit), f"{peak * history.units.in_si('acceleration') / GRAVITY:.4g}",
+                     _show(time * factor, shown_unit), *(_show(part, unit) for part in parts)]
         except ValueError as error:
             troubles.append(f"{name}: {error}.")
         rows.append((name, *cells, _show(find_size(raw), unit)))
-    heading = ("accelerometer", f"largest resultant, CFC {CLASS}", "in g", "at", "largest x", "largest y", "largest z", "resultant without filter")
+    heading = ("accelerometer", f"largest resultant, CFC {CLASS}", "in g", "at", "largest x", "largest y", "largest z",
+               "resultant without filter")
     text = "<h3>Accelerometers</h3>" + make_table(heading, rows, range(1, 8))
-    soft = (f"Signals along the moving axes after the filter CFC {CLASS} of SAE J211, then their resultant; x, y and z are magnitudes. Nothing "
+    soft = (f"Signals along the moving axes after the filter CFC {CLASS} of SAE J211, then their resultant; "
+            "x, y and z are magnitudes. Nothing "
             "acts before the first row and after the last one. Without filter: of the means between rows.")
     span = float(history["time"][-1] - history["time"][0]) * (history.units.time[1] if history.units else 0)
     if history.units and span * find_cutoff(CLASS) < 1:
-        soft += f" The run is shorter than a period of the filter, {1e3 / find_cutoff(CLASS):.3g} ms: it takes most of the peaks away."
+        soft += (" The run is shorter than a period of the filter, "
+                 f"{1e3 / find_cutoff(CLASS):.3g} ms: it takes most of the peaks away.")
     return text + f"<p class=soft>{' '.join([soft, *dict.fromkeys(troubles)])}</p>"
 
 

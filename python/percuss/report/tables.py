@@ -6,8 +6,9 @@ from percuss.results.extremes import find_top
 
 from .forces import describe_kind, find_force, find_impulse, list_forces
 
-ENERGIES = ("kinetic", "internal", "hourglass", "viscous", "folding", "contact", "friction", "damping", "external", "eroded_energy", "contact_stored",
-            "added_energy", "spring_work", "damper_work", "glue_work", "glue_dissipated", "weld_work", "equal_work")
+ENERGIES = ("kinetic", "internal", "hourglass", "viscous", "folding", "contact", "friction", "damping", "external",
+            "eroded_energy", "contact_stored", "added_energy", "spring_work", "damper_work", "glue_work",
+            "glue_dissipated", "weld_work", "equal_work")
 OF_PARTS = ("kinetic", "internal", "hourglass", "viscous", "folding", "eroded_energy")
 
 
@@ -22,19 +23,19 @@ def list_energies(run, history):
         if not np.isfinite(values).any():
             continue
         least, most = find_top(-values), find_top(values)
-        rows.append((name, _show(values[0]), _show(values[-1]), _show(values[least]), _show(history["time"][least]), _show(values[most]),
-                     _show(history["time"][most]), history.unit(name)))
+        rows.append((name, _show(values[0]), _show(values[-1]), _show(values[least]), _show(history["time"][least]),
+                     _show(values[most]), _show(history["time"][most]), history.unit(name)))
     if "energy_error" in history and np.isfinite(history["energy_error"]).any():
         error = history["energy_error"]
         least, most = find_top(-error), find_top(error)
-        rows.append(("energy_error", _show(error[0]), _show(error[-1]), _show(error[least]), _show(history["time"][least]), _show(error[most]),
-                     _show(history["time"][most]), ""))
+        rows.append(("energy_error", _show(error[0]), _show(error[-1]), _show(error[least]),
+                     _show(history["time"][least]), _show(error[most]), _show(history["time"][most]), ""))
     return ("energy", "first", "last", "smallest", "at time", "largest", "at time", "unit"), rows
 
 
 def list_forces_in_rows(run, history):
-    """(heading, rows). Forces of output.history.forces are means between rows, whose impulse is exact; of the others it is the integral of
-    values of single steps, and marked."""
+    """(heading, rows). Forces of output.history.forces are means between rows, whose impulse is exact; of the others it
+    is the integral of values of single steps, and marked."""
     rows = []
     for name in list_forces(history):
         force = find_force(history, name)
@@ -42,7 +43,8 @@ def list_forces_in_rows(run, history):
     for name, kind, force in _list_vectors(history):
         rows.append(_row(history, name, kind, force, _integrate(history["time"], force), "~"))
     unit = history.unit(next((name for name in history if history.dimension(name) == "force"), "time")) if rows else ""
-    heading = ("force", "of", f"largest{f' [{unit}]' if unit else ''}", "at time", "impulse x", "y", "z", "mean", "last")
+    heading = ("force", "of", f"largest{f' [{unit}]' if unit else ''}", "at time", "impulse x", "y", "z",
+               "mean", "last")
     return heading, rows
 
 
@@ -54,13 +56,15 @@ def _list_vectors(history):
         start = head.format("x")
         for name in [column[len(start):] for column in history if column.startswith(start)]:
             yield name, kind, _stack(history, head + name)
-    for start, kind in (("spring_force:", "spring"), ("equation:", "equation"), ("weld_normal:", "weld, normal"), ("weld_shear:", "weld, shear")):
+    for start, kind in (("spring_force:", "spring"), ("equation:", "equation"), ("weld_normal:", "weld, normal"),
+                        ("weld_shear:", "weld, shear")):
         for name in [column[len(start):] for column in history if column.startswith(start)]:
             yield name, kind, history[start + name][:, None]
 
 
 def _stack(history, pattern):
-    return np.stack([history[pattern.format(axis)] if pattern.format(axis) in history else np.zeros(len(history)) for axis in "xyz"], axis=1)
+    return np.stack([history[pattern.format(axis)] if pattern.format(axis) in history else np.zeros(len(history))
+                     for axis in "xyz"], axis=1)
 
 
 def _integrate(time, force):

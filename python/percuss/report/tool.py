@@ -10,15 +10,16 @@ NEEDS = ("numpy", "h5py", "matplotlib")
 WISHES = ("vtkmodules.vtkRenderingOpenGL2", "PIL.Image", "yaml")
 EPILOG = """\
 The page is one HTML file that needs no network and no other file. It shows
-  what to look at first, pictures of the start, of the frame in which the field is largest and of the end, the surface to turn
-  with the mouse over time, plots with the warnings marked, the deck with parts and materials, and what the run cost.
+  what to look at first, pictures of the start, of the frame in which the field is largest and of the end, the surface
+  to turn with the mouse over time, plots with the warnings marked, the deck with parts and materials, and what the run
+  cost.
 With several folders it compares them: bit-identity, numbers, curves and decks.
 
 examples:
   percuss report ball                                       writes ball/report.html
   percuss report ball --field velocity                      colours show the speed
   percuss report ball ball_fine --out finer.html            a comparison
-  percuss report box --plot 'crush = resultant("crush")' --plot 'mean force = mean(resultant("crush"))' --x 'change(-sled_z)'
+  percuss report box --plot 'crush = resultant("crush")' --x 'change(-sled_z)'
   percuss report ball --units 'mm, kg, ms'                  numbers, plots, pictures and view in kN, GPa and J
   percuss report out/* --no-pictures --no-view              numbers and curves only: no VTK needed
 
@@ -37,16 +38,23 @@ def parse_arguments(words):
     add = parser.add_argument
     add("dirs", metavar="DIR", nargs="+", help="output folders of runs, complete or under way")
     add("--out", metavar="FILE", help="the page (default: report.html in the first DIR; of several comparison.html)")
-    add("-f", "--force", action="store_true", help="write over a file that percuss report has not written; never over results of a run")
-    add("--from", dest="fields", metavar="NAME", help="pictures and view of this entry of output.field_outputs (default: of output.fields)")
-    add("--field", metavar="NAME", help="field shown by the colours (default: von_mises, stress, equivalent_plastic_strain or velocity, the first that is there)")
+    add("-f", "--force", action="store_true",
+        help="write over a file that percuss report has not written; never over results of a run")
+    add("--from", dest="fields", metavar="NAME",
+        help="pictures and view of this entry of output.field_outputs (default: of output.fields)")
+    add("--field", metavar="NAME", help="field shown by the colours (default: von_mises, stress, "
+                                        "equivalent_plastic_strain or velocity, the first that is there)")
     add("--view", metavar="AZIMUTH:ELEVATION", help="where the camera of the pictures stands, as in percuss render")
-    add("--units", metavar="SYSTEM", help="convert to a system of units, such as 'mm, kg, ms' (default: that of the deck)")
+    add("--units", metavar="SYSTEM",
+        help="convert to a system of units, such as 'mm, kg, ms' (default: that of the deck)")
     add("--plot", metavar="WHAT", action="append", default=[],
-        help="a curve or a number for the top of the page: a column, a panel or an expression, as in percuss plot; may be repeated")
-    add("--x", metavar="COLUMN", default="time", help="the abscissa of these curves: a column or an expression (default: time)")
+        help="a curve or a number for the top of the page: a column, a panel or an expression, as in percuss plot; "
+             "may be repeated")
+    add("--x", metavar="COLUMN", default="time",
+        help="the abscissa of these curves: a column or an expression (default: time)")
     add("--no-pictures", dest="pictures", action="store_false", help="leave the pictures out (they need VTK)")
-    add("--no-view", dest="interactive", action="store_false", help="leave the interactive view out (it takes about 2 MB)")
+    add("--no-view", dest="interactive", action="store_false",
+        help="leave the interactive view out (it takes about 2 MB)")
     return parser.parse_intermixed_args(join_view(words))
 
 

@@ -20,7 +20,8 @@ class WeldLife:
     name: str
     entry: str              # of the deck
     failed_at: float | None  # time of the first row without force, which lasts to the end; None: it has a force there
-    use: float | None        # largest value of the criterion in a row, 1 at failure; None where the deck gives no strength
+    # largest value of the criterion in a row, 1 at failure; None where the deck gives no strength
+    use: float | None
     time: float              # of that
 
 
@@ -51,7 +52,8 @@ def list_welds(run):
         entry, failure = find_entry(run.deck, name)
         use = find_use(failure, normal, shear)
         top = 0 if use is None else int(np.argmax(use))
-        found.append(WeldLife(name, entry, _find_failure(time, normal, shear), None if use is None else float(use[top]), float(time[top])))
+        found.append(WeldLife(name, entry, _find_failure(time, normal, shear), None if use is None else float(use[top]),
+                              float(time[top])))
     return found
 
 
@@ -72,11 +74,12 @@ def count_failed(history):
 
 
 def sort_out(run):
-    """(welds that have failed, in the order in which they did; those without force at the end that have not; those with one).
+    """(welds that have failed, in the order in which they did;
+    those without force at the end that have not; those with one).
 
-    A failed weld has no force from then on, and the count of failures rises in its first row without force, or in the row
-    before. One that holds may have no force at the end either. At most as many as the count says have failed: those that
-    came nearest to it.
+    A failed weld has no force from then on, and the count of failures rises in its first row without force, or in the
+    row before. One that holds may have no force at the end either. At most as many as the count says have failed: those
+    that came nearest to it.
     """
     counts, time = np.asarray(run.history["welds_failed"]), np.asarray(run.history["time"])
     lives = list_welds(run)
@@ -92,7 +95,8 @@ def sort_out(run):
 
 
 def describe_welds(run, show_time):
-    """Sentences: how many welds failed, which first and last, and which of the others came nearest. show_time(run, time) -> text."""
+    """Sentences: how many welds failed, which first and last, and which of the others came nearest.
+    show_time(run, time) -> text."""
     if not run.has_history or "welds_failed" not in run.history or len(run.history) < 2:
         return []
     count, first = count_failed(run.history)
@@ -102,13 +106,16 @@ def describe_welds(run, show_time):
     if count:
         text = f"{count:,} weld{'s' * (count > 1)} failed, the first by t = {show_time(run, first)}"
         if broken:
-            text += f" ({broken[0].name})" + (f", the last by t = {show_time(run, broken[-1].failed_at)} ({broken[-1].name})" * (len(broken) > 1))
+            text += f" ({broken[0].name})"
+            if len(broken) > 1:
+                text += f", the last by t = {show_time(run, broken[-1].failed_at)} ({broken[-1].name})"
         texts.append(text + ".")
     elif holding or unloaded:
         texts.append("No weld failed.")
     if held:
         near = [life for life in held if life.use >= NEAR]
-        text = f"Of the welds that hold, {held[0].name} came nearest to its failure: {held[0].use:.2g} of it at t = {show_time(run, held[0].time)}"
+        text = (f"Of the welds that hold, {held[0].name} came nearest to its failure: {held[0].use:.2g} of it at t = "
+                f"{show_time(run, held[0].time)}")
         texts.append(text + (f"; {len(near)} came to {NEAR:g} of it or more." if len(near) > 1 else "."))
     return texts
 
@@ -123,12 +130,15 @@ def make_welds_table(run):
     unit, factor = choose_time_unit(run.history.unit("time"), float(run.history["time"][-1]))
     clock = lambda time: f"{time * factor:.4g} {unit}".rstrip()  # noqa: E731
     rows = [(life.name, "failed", clock(life.failed_at), "") for life in broken[:MOST_ROWS]]
-    rows += [(life.name, "holds" if life in holding else "without force at the end", "", f"{life.use:.2g} at {clock(life.time)}") for life in near[:MOST_ROWS]]
+    rows += [(life.name, "holds" if life in holding else "without force at the end", "",
+              f"{life.use:.2g} at {clock(life.time)}") for life in near[:MOST_ROWS]]
     if not rows:
         return ""
     left_out = max(0, len(broken) - MOST_ROWS) + max(0, len(near) - MOST_ROWS)
-    soft = "Failure: the first row after it. The criterion of failure (1 at failure) is of the rows, each the forces of one step: between rows it may be larger."
+    soft = ("Failure: the first row after it. The criterion of failure "
+            "(1 at failure) is of the rows, each the forces of one step: between rows it may be larger.")
     soft += f" {left_out} more are not listed." if left_out else ""
     missing = count - len(broken)
     soft += f" {missing} more have failed that have no columns, or never had a force in a row." if missing > 0 else ""
-    return "<h3>Welds</h3>" + make_table(("weld", "", "failed by", "nearest to failure"), rows, (2, 3)) + f"<p class=soft>{soft}</p>"
+    return ("<h3>Welds</h3>" + make_table(("weld", "", "failed by", "nearest to failure"), rows, (2, 3))
+            + f"<p class=soft>{soft}</p>")

@@ -14,13 +14,15 @@ from .run import Run, describe_limit
 from .units import DIMENSIONS, BadUnits, Units, find_units
 
 # Keys of summary.json that have a dimension.
-OF_SUMMARY = {"time": "time", "end_time": "time", "dt.min": "time", "dt.max": "time", "dt.last": "time", "mass.added": "mass", "mass.in_run": "mass",
-              "mass.energy": "energy", "relaxation.scale": "energy", "relaxation.frequency": "frequency", "relaxation.energy": "energy",
-              "relaxation.contact_stored": "energy", "energy.initial": "energy", "energy.kinetic": "energy", "energy.internal": "energy",
-              "energy.hourglass": "energy", "energy.viscous": "energy", "energy.folding": "energy", "energy.contact": "energy",
-              "energy.contact_taken": "energy", "energy.largest": "energy",
-              "energy.friction": "energy", "energy.damping": "energy", "energy.external": "energy", "momentum.linear": "momentum",
-              "momentum.angular": "angular momentum", "eroded.mass": "mass", "eroded.energy": "energy", "eroded.vanished_mass": "mass"}
+OF_SUMMARY = {"time": "time", "end_time": "time", "dt.min": "time", "dt.max": "time", "dt.last": "time",
+              "mass.added": "mass", "mass.in_run": "mass", "mass.energy": "energy", "relaxation.scale": "energy",
+              "relaxation.frequency": "frequency", "relaxation.energy": "energy", "relaxation.contact_stored": "energy",
+              "energy.initial": "energy", "energy.kinetic": "energy", "energy.internal": "energy",
+              "energy.hourglass": "energy", "energy.viscous": "energy", "energy.folding": "energy",
+              "energy.contact": "energy", "energy.contact_taken": "energy", "energy.largest": "energy",
+              "energy.friction": "energy", "energy.damping": "energy", "energy.external": "energy",
+              "momentum.linear": "momentum", "momentum.angular": "angular momentum", "eroded.mass": "mass",
+              "eroded.energy": "energy", "eroded.vanished_mass": "mass"}
 MOST_POWER = 4  # of length, mass and time in the unit of a field
 
 
@@ -43,7 +45,8 @@ class Scale:
         for powers in itertools.product(range(-MOST_POWER, MOST_POWER + 1), repeat=3):
             if any(powers):
                 quantity = f"length^{powers[0]} mass^{powers[1]} time^{powers[2]}"
-                found.setdefault(self.old.name_of_powers(powers), (self.factor(quantity), self.new.name_of_powers(powers)))
+                found.setdefault(self.old.name_of_powers(powers),
+                                 (self.factor(quantity), self.new.name_of_powers(powers)))
         return found
 
     def convert_unit(self, unit: str) -> tuple[float, str]:
@@ -135,7 +138,8 @@ class ConvertedRun:
 
 
 def _refuse(path: str) -> BadUnits:
-    return BadUnits(f"{path}: the deck names no units, and its numbers cannot be converted (--units): add `units` to the deck and run it again")
+    return BadUnits(f"{path}: the deck names no units, and its numbers cannot be converted (--units): "
+                    "add `units` to the deck and run it again")
 
 
 def convert_run(run: Run, system: str | None) -> Any:

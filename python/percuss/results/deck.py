@@ -1,4 +1,5 @@
-"""The deck of a run as data: the values that were run, with what --set changed in them. No tool reads the deck's file again."""
+"""The deck of a run as data: the values that were run, with what --set changed in them.
+No tool reads the deck's file again."""
 
 import json
 import os
@@ -10,8 +11,8 @@ from ..errors import NotResults
 
 
 class Deck:
-    """Attributes: values (a tree of dictionaries and lists; empty where nothing is known), file (that it was read from), settings
-    (the arguments of --set, which the values have already)."""
+    """Attributes: values (a tree of dictionaries and lists; empty where nothing is known), file (that it was read
+    from), settings (the arguments of --set, which the values have already)."""
 
     def __init__(self, values: Any = None, file: str = "", settings: Iterable[str] = ()) -> None:
         self.values: dict[str, Any] = values if isinstance(values, dict) else {}

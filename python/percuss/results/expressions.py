@@ -1,7 +1,7 @@
 """Expressions over the columns of a history: force over displacement, resultants, absorbed energy.
 
-Python's own parser reads them, and only what stands below is computed: numbers, columns, + - * / ** ( ) and the functions of
-FUNCTIONS. Dimensions follow, so that units are known."""
+Python's own parser reads them, and only what stands below is computed: numbers, columns, + - * / ** ( ) and the
+functions of FUNCTIONS. Dimensions follow, so that units are known."""
 
 from __future__ import annotations
 
@@ -26,7 +26,8 @@ class BadExpression(ValueError):
 
 
 class Value:
-    """An array [rows] or a number with its dimension. powers: of length, mass and time; None where the dimension is not known."""
+    """An array [rows] or a number with its dimension.
+    powers: of length, mass and time; None where the dimension is not known."""
 
     def __init__(self, values: Any, powers: Powers | None = PLAIN) -> None:
         self.values, self.powers = values, powers
@@ -68,7 +69,8 @@ def split_label(text: str) -> tuple[str, str]:
 
 
 def split_unit(label: str) -> tuple[str, str | None]:
-    """('acceleration', 'g') of 'acceleration [g]': the unit that a label gives what an expression makes; None: it gives none."""
+    """('acceleration', 'g') of 'acceleration [g]':
+    the unit that a label gives what an expression makes; None: it gives none."""
     given = re.fullmatch(r"(.*\S)\s*\[([^\[\]]*)\]", label)
     return (given[1], given[2].strip()) if given else (label, None)
 
@@ -89,8 +91,8 @@ def is_expression(text: str, names: Iterable[str]) -> bool:
 
 
 def find_multiplier(text: str, names: Iterable[str]) -> float | None:
-    """What the numbers of an expression multiply its columns by: 1e-3 of 'max(a) / 1000'. None where its terms differ by more than a
-    half or a mean makes them."""
+    """What the numbers of an expression multiply its columns by: 1e-3 of 'max(a) / 1000'. None where its terms differ
+    by more than a half or a mean makes them."""
     return _multiply(_parse(text, names)[0])
 
 
@@ -111,12 +113,14 @@ def _multiply(node: ast.expr) -> float | None:
         return float(first**0.5)
     if name in ("integral", "derivative") and len(factors) > 1:
         return factors[1] and (first * factors[1] if name == "integral" else first / factors[1])
-    return first if name == "cfc" else _agree_on_factor([x for x, node in zip(factors, node.args) if not isinstance(node, ast.Constant)])
+    return (first if name == "cfc"
+            else _agree_on_factor([x for x, node in zip(factors, node.args) if not isinstance(node, ast.Constant)]))
 
 
 def _multiply_two(node: ast.BinOp, left: float | None, right: float | None) -> float | None:
     if isinstance(node.op, (ast.Add, ast.Sub)):
-        return _agree_on_factor([x for x, term in ((left, node.left), (right, node.right)) if not isinstance(term, ast.Constant)])
+        return _agree_on_factor([x for x, term in ((left, node.left), (right, node.right))
+                                 if not isinstance(term, ast.Constant)])
     if left is None or right is None:
         return None
     if isinstance(node.op, ast.Pow):
@@ -130,7 +134,8 @@ def _multiply_two(node: ast.BinOp, left: float | None, right: float | None) -> f
 def _agree_on_factor(factors: list[float | None]) -> float | None:
     """Of terms that are added."""
     known = [factor for factor in factors if factor]
-    return known[0] if known and len(known) == len(factors) and max(known) <= 5 * min(known) else None if factors else 1.0
+    return (known[0] if known and len(known) == len(factors) and max(known) <= 5 * min(known)
+            else None if factors else 1.0)
 
 
 def check_syntax(text: str, names: Iterable[str]) -> None:
@@ -140,8 +145,8 @@ def check_syntax(text: str, names: Iterable[str]) -> None:
 
 
 def _parse(text: str, names: Iterable[str]) -> tuple[ast.expr, dict[str, str]]:
-    """The tree, with names of Python in place of columns, and what they stand for. Names of columns may hold signs that Python does
-    not know (fx:hit, f_x:a/b): the longest that is there counts; any may stand in braces."""
+    """The tree, with names of Python in place of columns, and what they stand for. Names of columns may hold signs that
+    Python does not know (fx:hit, f_x:a/b): the longest that is there counts; any may stand in braces."""
     if len(text) > MOST_CHARACTERS:
         raise BadExpression(f"the expression is too long ({len(text)} characters, {MOST_CHARACTERS} at most)")
     columns: dict[str, str] = {}
@@ -157,7 +162,8 @@ def _parse(text: str, names: Iterable[str]) -> tuple[ast.expr, dict[str, str]]:
 
     known = set(names)
     odd = sorted((name for name in known if not name.isidentifier()), key=len, reverse=True)
-    pattern = "|".join([r"\{([^{}]*)\}", r"'[^']*'", r'"[^"]*"', *(re.escape(name) + r"(?![\w:])" for name in odd), r"[A-Za-z_]\w*(?::[\w./-]*\w)?"])
+    pattern = "|".join([r"\{([^{}]*)\}", r"'[^']*'", r'"[^"]*"', *(re.escape(name) + r"(?![\w:])" for name in odd),
+                        r"[A-Za-z_]\w*(?::[\w./-]*\w)?"])
     try:
         tree = ast.parse(re.sub(pattern, replace, text).strip(), mode="eval").body
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
@@ -223,7 +229,8 @@ class _Reader:
 
     def call(self, name: str, arguments: list[ast.expr], depth: int) -> Value:
         if name not in FUNCTIONS:
-            self.fail(f"there is no function '{name}'" + suggest(name, FUNCTIONS, f" (there are {', '.join(FUNCTIONS)})"))
+            self.fail(f"there is no function '{name}'"
+                      + suggest(name, FUNCTIONS, f" (there are {', '.join(FUNCTIONS)})"))
         function, least, most, takes_names = FUNCTIONS[name]
         if not least <= len(arguments) <= most:
             self.fail(f"{name}() takes {least if least == most else f'{least} to {most}'} argument{'s' * (most != 1)}")
@@ -299,7 +306,8 @@ def _mean(reader: _Reader, value: Value) -> Value:
     """Over time."""
     y, t = reader.rows(value), reader.history["time"]
     span = t[-1] - t[0] if len(t) else 0
-    return Value(float(np.sum(0.5 * (y[1:] + y[:-1]) * np.diff(t)) / span) if span > 0 else float(np.mean(y)), value.powers)
+    return Value(float(np.sum(0.5 * (y[1:] + y[:-1]) * np.diff(t)) / span) if span > 0 else float(np.mean(y)),
+                 value.powers)
 
 
 def _norm(reader: _Reader, *values: Value) -> Value:
@@ -307,15 +315,17 @@ def _norm(reader: _Reader, *values: Value) -> Value:
 
 
 def _resultant(reader: _Reader, name: str) -> Value:
-    """resultant('hit'): of fx:hit, fy:hit, fz:hit; resultant('m:hit') of mx:hit ...; of a column with an axis at its end
-    (wall_force, momentum, top_v) likewise."""
+    """resultant('hit'): of fx:hit, fy:hit, fz:hit; resultant('m:hit') of mx:hit ...; of a column with an axis at its
+    end (wall_force, momentum, top_v) likewise."""
     head, colon, tail = name.partition(":")
     trials = [f"f%s:{name}", f"{head}%s:{tail}" if colon else f"{name}_%s", f"{name}%s"]
     for trial in trials:
         if all(trial % axis in reader.history for axis in "xyz"):
             return _norm(reader, *[reader.column(trial % axis) for axis in "xyz"])
-    known = [x.replace("fx:", "", 1).removesuffix("_x") for x in reader.history.everything if x.startswith("fx:") or x.endswith("_x")]
-    return reader.fail(f"there are no three columns of a resultant '{name}', such as fx:{name} or {name}_x{suggest(name, known)}")
+    known = [x.replace("fx:", "", 1).removesuffix("_x")
+             for x in reader.history.everything if x.startswith("fx:") or x.endswith("_x")]
+    return reader.fail(f"there are no three columns of a resultant '{name}', "
+                       f"such as fx:{name} or {name}_x{suggest(name, known)}")
 
 
 def _distance(reader: _Reader, one: str, other: str) -> Value:

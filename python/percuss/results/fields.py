@@ -17,7 +17,8 @@ from .arrays import Array
 T = TypeVar("T")
 
 # What h5py raises at a damaged file, here or in a later call.
-_DAMAGE = (OSError, KeyError, ValueError, RuntimeError, TypeError, IndexError, AttributeError, OverflowError, MemoryError)
+_DAMAGE = (OSError, KeyError, ValueError, RuntimeError, TypeError, IndexError, AttributeError, OverflowError,
+           MemoryError)
 
 
 def _reads(method: Callable[..., T]) -> Callable[..., T]:
@@ -52,9 +53,9 @@ class Fields:
 
     Attributes: times [frames], steps [frames], time_unit, title, units (the deck's text), part_names, walls [walls][6]
     (a point and the unit normal of each that does not move), part [elements], element_ids, node_ids, nodes and elements
-    (counts), kinds [elements] (VTK's types of cells), hexahedra [elements][8]. Wedges, pyramids and tetrahedra stand there as hexahedra with collapsed edges. The
-    four corners of a shell stand twice, so that its faces 4 and 5 are its two surfaces. Of a beam the second node stands
-    for the others too."""
+    (counts), kinds [elements] (VTK's types of cells), hexahedra [elements][8]. Wedges, pyramids and tetrahedra stand
+    there as hexahedra with collapsed edges. The four corners of a shell stand twice, so that its faces 4 and 5 are its
+    two surfaces. Of a beam the second node stands for the others too."""
 
     def __init__(self, folder: str | os.PathLike[str], name: str | None = None) -> None:
         stem = f"fields_{name}" if name else "fields"
@@ -62,8 +63,8 @@ class Fields:
         if not os.path.exists(self.path):
             beside, key = os.path.dirname(self.path), f"output.field_outputs.{name}" if name else "output.fields"
             if os.path.exists(os.path.join(beside, f"{stem}.exo")):
-                raise NotResults(f"{self.path}: there is no such file (the run wrote {stem}.exo, which ParaView opens; with "
-                                 f"{key}.format: [vtkhdf, exodus] it writes both)")
+                raise NotResults(f"{self.path}: there is no such file (the run wrote {stem}.exo, which ParaView opens; "
+                                 f"with {key}.format: [vtkhdf, exodus] it writes both)")
             there = [other for other in list_outputs(beside) if other != name]
             others = f"; there are field outputs {', '.join(there)}: choose one by its name" if there else ""
             raise NotResults(f"{self.path}: there is no such file (a run writes it where its deck has {key}{others})")
@@ -98,34 +99,40 @@ class Fields:
         self.walls = own["walls"][:] if "walls" in own else np.empty((0, 6))
         self._wall_edges = own["wall_edges"][:] if "wall_edges" in own else np.zeros((len(self.walls), 6))
         self._moving = own["moving_walls"][:] if "moving_walls" in own else np.empty((0, 6))
-        self._moving_edges = own["moving_wall_edges"][:] if "moving_wall_edges" in own else np.zeros((len(self._moving), 6))
+        self._moving_edges = (own["moving_wall_edges"][:] if "moving_wall_edges" in own
+                              else np.zeros((len(self._moving), 6)))
         self._round, self._moving_round = (own[name][:] if name in own else np.empty((0, 11))
                                            for name in ("round_walls", "moving_round_walls"))
-        self._wall_displacements = own["wall_displacements"][:count] if "wall_displacements" in own else np.empty((count, 0))
+        self._wall_displacements = (own["wall_displacements"][:count] if "wall_displacements" in own
+                                    else np.empty((count, 0)))
         self._check_mesh()
 
     def _check_mesh(self) -> None:
         """What later calls rely on."""
-        if self.hexahedra.shape != (self.elements, 8) or (self.hexahedra.size and not 0 <= self.hexahedra.min() <= self.hexahedra.max() < self.nodes):
+        if (self.hexahedra.shape != (self.elements, 8)
+                or (self.hexahedra.size and not 0 <= self.hexahedra.min() <= self.hexahedra.max() < self.nodes)):
             raise ValueError("elements have nodes that are not there")
-        if len(self.part) != self.elements or (self.elements and not 0 <= self.part.min() <= self.part.max() < len(self.part_names)):
+        if (len(self.part) != self.elements
+                or (self.elements and not 0 <= self.part.min() <= self.part.max() < len(self.part_names))):
             raise ValueError("elements are of parts that are not there")
         if not len(self.times) == len(self.steps) == len(self._wall_displacements) or not np.isfinite(self.times).all():
             raise ValueError("frames without a time or a step")
 
     @_reads
     def walls_at(self, frame: int) -> list[tuple[Array, Array, Array | None]]:
-        """[(point, normal, edges)] of all rigid planes at the time of a frame, those that move last. edges: two vectors from the
-        point, which is a corner then; None of a wall that does not end."""
-        planes, edges = np.concatenate([self.walls, self._moving]), np.concatenate([self._wall_edges, self._moving_edges])
+        """[(point, normal, edges)] of all rigid planes at the time of a frame, those that move last. edges: two vectors
+        from the point, which is a corner then; None of a wall that does not end."""
+        planes, edges = (np.concatenate([self.walls, self._moving]),
+                         np.concatenate([self._wall_edges, self._moving_edges]))
         moved = np.concatenate([np.zeros(len(self.walls)), self._wall_displacements[frame][: len(self._moving)]])
         return [(plane[:3] + by * plane[3:], plane[3:], vectors.reshape(2, 3) if vectors.any() else None)
                 for plane, vectors, by in zip(planes, edges, moved)]
 
     @_reads
     def round_walls_at(self, frame: int) -> list[tuple[Array, Array | None, float, float | None]]:
-        """[(point, axis, radius, length)] of all rigid cylinders and spheres at the time of a frame, those that move last. The point
-        is an end of the axis, or the centre. axis: a unit vector; None of a sphere. length: None of a cylinder without ends."""
+        """[(point, axis, radius, length)] of all rigid cylinders and spheres at the time of a frame, those that move
+        last. The point is an end of the axis, or the centre. axis: a unit vector; None of a sphere.
+        length: None of a cylinder without ends."""
         moved = np.concatenate([np.zeros(len(self._round)), self._wall_displacements[frame][len(self._moving) :]])
         return [(wall[:3] + by * wall[8:], wall[3:6] if wall[3:6].any() else None, wall[6], wall[7] or None)
                 for wall, by in zip(np.concatenate([self._round, self._moving_round]), moved)]
@@ -142,8 +149,8 @@ class Fields:
 
     @_reads
     def cells(self) -> list[Array]:
-        """Corners of each element, an array each, in VTK's order: eight, six of a wedge, five of a pyramid, four of a tetrahedron
-        or a shell, three of a triangle, two of a beam. Indexes of nodes from 0."""
+        """Corners of each element, an array each, in VTK's order: eight, six of a wedge, five of a pyramid, four of a
+        tetrahedron or a shell, three of a triangle, two of a beam. Indexes of nodes from 0."""
         corners, offsets = self.root["Connectivity"][:], self.root["Offsets"][:]
         return np.split(corners, offsets[1:-1])
 
@@ -203,9 +210,11 @@ def _text(value: object) -> str:
     return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
 
 
-# Eight corners of each of VTK's cells, by its type: lines, triangles, quadrilaterals, tetrahedra, hexahedra, wedges, pyramids.
-_EIGHT = {3: (0, 1, 1, 1, 0, 1, 1, 1), 5: (0, 1, 2, 2, 0, 1, 2, 2), 9: (0, 1, 2, 3, 0, 1, 2, 3), 10: (0, 1, 2, 2, 3, 3, 3, 3),
-          12: (0, 1, 2, 3, 4, 5, 6, 7), 13: (0, 2, 1, 1, 3, 5, 4, 4), 14: (0, 1, 2, 3, 4, 4, 4, 4)}  # fmt: skip
+# Eight corners of each of VTK's cells, by its type: lines, triangles, quadrilaterals, tetrahedra,
+# hexahedra, wedges, pyramids.
+_EIGHT = {3: (0, 1, 1, 1, 0, 1, 1, 1), 5: (0, 1, 2, 2, 0, 1, 2, 2), 9: (0, 1, 2, 3, 0, 1, 2, 3),
+          10: (0, 1, 2, 2, 3, 3, 3, 3), 12: (0, 1, 2, 3, 4, 5, 6, 7), 13: (0, 2, 1, 1, 3, 5, 4, 4),
+          14: (0, 1, 2, 3, 4, 4, 4, 4)}  # fmt: skip
 
 
 def _pad_cells(connectivity: Array, first: Array, types: Array) -> Array:

@@ -31,8 +31,8 @@ def filter_cfc(values: Array, interval: float, channel_class: int) -> Array:
     """The signal after the channel frequency class 60, 180, 600 or 1000: forwards, then backwards, so that no phase is
     shifted. values [n], or [n][columns]. interval: seconds between samples, which must be equal (see resample).
 
-    ValueError where the samples are too far apart for the class. Both ends are continued by the signal turned about its end
-    points, over ten periods of the cutoff, so that a signal that does not start or end at zero keeps its ends."""
+    ValueError where the samples are too far apart for the class. Both ends are continued by the signal turned about its
+    end points, over ten periods of the cutoff, so that a signal that does not start or end at zero keeps its ends."""
     values = np.asarray(values, dtype=float)
     if channel_class not in CLASSES:
         raise ValueError(f"there is no class CFC {channel_class} (there are {', '.join(map(str, CLASSES))})")

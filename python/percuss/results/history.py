@@ -17,24 +17,27 @@ from .table import read_rows
 from .units import Powers, Units, find_powers, name_quantity
 
 # Columns of every history.
-ALWAYS = ("time", "step", "dt", "kinetic", "internal", "hourglass", "contact", "friction", "external", "energy_error", "momentum_x",
-          "momentum_y", "momentum_z")
+ALWAYS = ("time", "step", "dt", "kinetic", "internal", "hourglass", "contact", "friction", "external", "energy_error",
+          "momentum_x", "momentum_y", "momentum_z")
 
 
 class History:
-    """Columns by name: history["kinetic"]. Attributes: names (those of the file, which are also what a loop over the history
-    gives), derived (names of the accelerations that follow from its velocities), computed (those of add()), units (a Units, or None
-    where the deck has none)."""
+    """Columns by name: history["kinetic"]. Attributes: names (those of the file, which are also what a loop over the
+    history gives), derived (names of the accelerations that follow from its velocities), computed (those of add()),
+    units (a Units, or None where the deck has none)."""
 
-    def __init__(self, names: Iterable[str], table: Any, units: Units | None = None, sidecar: dict[str, dict[str, Any]] | None = None) -> None:
+    def __init__(self, names: Iterable[str], table: Any, units: Units | None = None,
+                 sidecar: dict[str, dict[str, Any]] | None = None) -> None:
         """table [rows][columns]. sidecar: entries of columns.json by name."""
         self.names = list(names)
         self.units = units
         self._sidecar = sidecar or {}
         self.computed: set[str] = set()
         self._deck: History | None = None
-        self._columns: dict[str, Array] = dict(zip(self.names, np.asarray(table, dtype=float).reshape(-1, len(self.names)).T))
-        self._velocities = list_accelerations(self._columns) if "time" in self._columns and "dt" in self._columns else {}
+        self._columns: dict[str, Array] = dict(zip(self.names,
+                                                   np.asarray(table, dtype=float).reshape(-1, len(self.names)).T))
+        self._velocities = (list_accelerations(self._columns)
+                            if "time" in self._columns and "dt" in self._columns else {})
 
     @property
     def derived(self) -> list[str]:
@@ -56,7 +59,8 @@ class History:
         try:
             return self._columns[name]
         except KeyError:
-            raise KeyError(f"there is no column '{name}' (there are {', '.join([*self.names, *self.derived])})") from None
+            raise KeyError(f"there is no column '{name}' "
+                           f"(there are {', '.join([*self.names, *self.derived])})") from None
 
     def __contains__(self, name: object) -> bool:
         return name in self._columns or name in self._velocities
@@ -111,15 +115,16 @@ class History:
         return float(np.interp(time, self["time"], self[name]))
 
     def add(self, name: str, values: Any, powers: Powers | None = None, unit: str | None = None) -> None:
-        """One more column, computed from others. powers: of length, mass and time; None: the dimension is not known. unit: of a user,
-        whose dimension is not known."""
+        """One more column, computed from others. powers: of length, mass and time; None: the dimension is not known.
+        unit: of a user, whose dimension is not known."""
         given = unit is not None
         if given:
             powers = None
         elif self.units and powers and any(powers):
             unit = self.units.name_of_powers(powers)
         self.computed.add(name)
-        self._columns[name], self._sidecar = np.asarray(values, dtype=float), {**self._sidecar, name: {"unit": unit, "meaning": name, "given": given}}
+        self._columns[name], self._sidecar = (np.asarray(values, dtype=float),
+                                              {**self._sidecar, name: {"unit": unit, "meaning": name, "given": given}})
         if powers:
             words = [f"{base}^{power:g}" for base, power in zip(("length", "mass", "time"), powers) if power]
             self._sidecar[name]["dimension"] = " ".join(words) or "1"
@@ -164,9 +169,11 @@ class History:
 
 
 def _list_partners(names: Iterable[str]) -> Iterator[str]:
-    """Columns that stand beside others in every history: the other components of a vector, the other force of a weld."""
+    """Columns that stand beside others in every history: the other components of a vector,
+    the other force of a weld."""
     for name in names:
-        if part := re.fullmatch(r"((?:wall_force|momentum|angular|equal|body)_|joint_[fm]|local_a|local_dv|body_[vw]|[fm])x(:.*)?|([^:]*_v?)x", name):
+        if part := re.fullmatch(r"((?:wall_force|momentum|angular|equal|body)_|joint_[fm]|local_a|local_dv|body_[vw]|"
+                                r"[fm])x(:.*)?|([^:]*_v?)x", name):
             head, tail = part[1] or part[3], part[2] or ""
             yield from (f"{head}{axis}{tail}" for axis in "yz")
         if name.startswith("weld_normal:"):
@@ -177,5 +184,7 @@ def read_history(path: str, units: Units | None = None, folder: str | None = Non
     """A history.csv, complete or of a run that goes on."""
     names, rows = read_rows(path)
     if missing := [name for name in [*ALWAYS, *_list_partners(names)] if name not in names]:
-        raise NotResults(f"{path}: there is no column {', '.join(missing)} (every run writes it; the file is damaged, or of another program)")
-    return History(names, np.array(rows, dtype=float).reshape(len(rows), len(names)), units, read_sidecar(folder) if folder else None)
+        raise NotResults(f"{path}: there is no column {', '.join(missing)} (every run writes it; "
+                         "the file is damaged, or of another program)")
+    return History(names, np.array(rows, dtype=float).reshape(len(rows), len(names)), units,
+                   read_sidecar(folder) if folder else None)

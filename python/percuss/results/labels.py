@@ -1,7 +1,7 @@
 """Labels of expressions and the units that they name: no label stands beside a number in another unit.
 
-An expression is computed of the history in the units of the deck, in which its numbers are meant, whatever units are shown: 9810 is
-an acceleration of mm and s. What it makes is converted by its dimension, or stays as its label says."""
+An expression is computed of the history in the units of the deck, in which its numbers are meant, whatever units are
+shown: 9810 is an acceleration of mm and s. What it makes is converted by its dimension, or stays as its label says."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ class Labelled:
 
 
 def read_labelled(history: History, word: str, source: Any = None) -> Labelled:
-    """word: an expression, with a label or not. source: the columns in the units of the deck, where they are not those of the history.
-    BadExpression where it cannot be computed."""
+    """word: an expression, with a label or not. source: the columns in the units of the deck, where they are not those
+    of the history. BadExpression where it cannot be computed."""
     label, text = split_label(word)
     name, given = split_unit(label) if label != text else (label, None)
     deck = history.of_deck
@@ -47,14 +47,17 @@ def read_labelled(history: History, word: str, source: Any = None) -> Labelled:
         return Labelled(name, shown, values, powers, unit, note and f"'{clip(label)}': {note}")
     is_number = value.powers is not None and not any(value.powers)
     if not is_number and (unit is None or measure_unit(unit, value.powers) is None):
-        note = f"its unit does not follow from its columns, so that it stays in the units of the deck ({deck.units.text})"
+        note = ("its unit does not follow from its columns, so that it stays in the units of the deck "
+                f"({deck.units.text})")
     return Labelled(name, values, values, None, unit, note and f"'{clip(label)}': {note}")
 
 
-def settle_unit(given: str, powers: Powers | None, multiplier: float | None, units: Units | None) -> tuple[float, str | None, str]:
-    """What to multiply by so that numbers of a formula are in the unit that its label names, that unit, and why it is not the one that was
-    given. multiplier: what the numbers in the formula multiply its columns by; None: it is not known. A label whose unit is none of the
-    dimension of the columns stands where the formula has numbers, which then have a dimension of their own."""
+def settle_unit(given: str, powers: Powers | None, multiplier: float | None,
+                units: Units | None) -> tuple[float, str | None, str]:
+    """What to multiply by so that numbers of a formula are in the unit that its label names, that unit, and why it is
+    not the one that was given. multiplier: what the numbers in the formula multiply its columns by; None: it is not
+    known. A label whose unit is none of the dimension of the columns stands where the formula has numbers,
+    which then have a dimension of their own."""
     size = measure_unit(given, powers)
     if units is None or powers is None:
         return 1.0, given, ""
@@ -71,8 +74,9 @@ def settle_unit(given: str, powers: Powers | None, multiplier: float | None, uni
     if multiplier and _are_near(multiplier, 1):
         return wanted, given, ""
     own = units.name_of_powers(powers)
-    return 1.0, None, (f"its numbers do not turn {own} into {given} (that is a factor of {wanted:.6g}), so that the label loses its "
-                       "unit: leave the factor out, and percuss converts to that unit")
+    return (1.0, None, (f"its numbers do not turn {own} into {given} "
+                        f"(that is a factor of {wanted:.6g}), so that the label loses its "
+                        "unit: leave the factor out, and percuss converts to that unit"))
 
 
 def _are_near(a: float, b: float) -> bool:

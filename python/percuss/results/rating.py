@@ -1,11 +1,11 @@
-"""How well a computed signal follows a measured one: the rating of ISO/TS 18571:2014 for signals that do not repeat, and the share
-of a corridor.
+"""How well a computed signal follows a measured one: the rating of ISO/TS 18571:2014 for signals that do not repeat,
+and the share of a corridor.
 
 Four numbers between 0 and 1 make the rating R = 0.4 Z + 0.2 P + 0.2 M + 0.2 S:
   Z  corridor: 1 within 5 % of the largest test value around the test, 0 beyond 50 %, with the square of the way between
   P  phase: by the shift of at most 20 % of the signal for which the cross correlation is largest
-  M  magnitude: of both signals after this shift and after dynamic time warping (a window of 10 %), difference over the test
-  S  slope: of both signals after the shift, smoothed over nine points, difference over the test
+  M  magnitude: of both signals after this shift and after dynamic time warping (a window of 10 %), difference over the
+  test S  slope: of both signals after the shift, smoothed over nine points, difference over the test
 The standard asks for signals at 10 kHz. Here both are resampled to equal steps, at most MOST_POINTS of them."""
 
 import numpy as np
@@ -21,7 +21,8 @@ MOST_POINTS = 2000
 
 
 def rate(test_time: Array, test: Array, time: Array, values: Array) -> dict[str, float]:
-    """{corridor, phase, magnitude, slope, rating} over the time that both signals have. ValueError where that is too short."""
+    """{corridor, phase, magnitude, slope, rating} over the time that both signals have.
+    ValueError where that is too short."""
     start, end = max(test_time[0], time[0]), min(test_time[-1], time[-1])
     count = min(MOST_POINTS, max(len(test), len(values)))
     if not end > start or count < 2 * SMOOTHED:
@@ -38,7 +39,8 @@ def rate_signals(test: Array, values: Array, step: float) -> dict[str, float]:
     found = {"corridor": _rate_corridor(np.abs(test - values), INNER * size, OUTER * size)}
     found["phase"], first, second = _rate_phase(test, values)
     found["magnitude"] = _rate_error(_find_warped_error(first, second), LARGEST_MAGNITUDE_ERROR, MAGNITUDE_POWER)
-    found["slope"] = _rate_error(_find_error(_find_slope(first, step), _find_slope(second, step)), LARGEST_SLOPE_ERROR, SLOPE_POWER)
+    of_slope = _find_error(_find_slope(first, step), _find_slope(second, step))
+    found["slope"] = _rate_error(of_slope, LARGEST_SLOPE_ERROR, SLOPE_POWER)
     return {**found, "rating": sum(WEIGHTS[name] * score for name, score in found.items())}
 
 

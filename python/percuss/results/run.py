@@ -26,7 +26,8 @@ def read(*folders: str | os.PathLike[str]) -> Any:
 
 
 def describe_limit(status: str, summary: dict[str, Any]) -> str:
-    """'stopped by time.max_steps at 2.9 % of time.end', or by a sensor; empty where the run came to its end or did not complete."""
+    """'stopped by time.max_steps at 2.9 % of time.end', or by a sensor;
+    empty where the run came to its end or did not complete."""
     time, end = summary.get("time") or 0, summary.get("end_time") or 0  # older summaries have no end
     if status != "completed" or not time < end * (1 - 1e-9):
         return ""
@@ -36,8 +37,8 @@ def describe_limit(status: str, summary: dict[str, Any]) -> str:
 
 
 class Run:
-    """Attributes: folder, name, and, each read when it is first asked for: summary, warnings, status, deck, units, history,
-    fields, field_outputs. reload() forgets what has been read, so that a run that goes on can be followed."""
+    """Attributes: folder, name, and, each read when it is first asked for: summary, warnings, status, deck, units,
+    history, fields, field_outputs. reload() forgets what has been read, so that a run that goes on can be followed."""
 
     def __init__(self, folder: str | os.PathLike[str], fields: str | None = None) -> None:
         """fields: the name of an entry of output.field_outputs, whose file `fields` is then."""
@@ -47,7 +48,8 @@ class Run:
         if not os.path.isdir(self.folder) or not (self._has("summary.json") or self._has("history.csv") or
                                                   self._has("fields.vtkhdf") or self._has("run.lock") or
                                                   self._has_outputs()):
-            raise NotResults(f"{folder}: there are no results of percuss (no summary.json, history.csv or fields.vtkhdf)")
+            raise NotResults(f"{folder}: there are no results of percuss "
+                             "(no summary.json, history.csv or fields.vtkhdf)")
 
     def _has(self, name: str) -> bool:
         return os.path.exists(os.path.join(self.folder, name))
@@ -78,8 +80,8 @@ class Run:
 
     @property
     def status(self) -> str:
-        """completed, failed, interrupted, running; killed: the summary says running, but no run is here; starting: it has
-        only begun."""
+        """completed, failed, interrupted, running; killed: the summary says running, but no run is here; starting: it
+        has only begun."""
         if is_active(self.folder):
             return "running" if self.summary else "starting"
         known = self.summary.get("status")

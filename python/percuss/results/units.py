@@ -1,4 +1,5 @@
-"""Units: the systems that a deck can name, and the unit of each quantity in them. The table is that of src/deck/units.cpp."""
+"""Units: the systems that a deck can name, and the unit of each quantity in them.
+The table is that of src/deck/units.cpp."""
 
 import math
 import re
@@ -7,7 +8,8 @@ Powers = tuple[float, ...]  # of length, mass and time
 
 INCH, FOOT, POUND, POUND_FORCE = 0.0254, 0.3048, 0.45359237, 4.4482216152605  # NIST Special Publication 811, appendix B
 
-LENGTHS: dict[str, float] = {"m": 1, "mm": 1e-3, "cm": 1e-2, "um": 1e-6, "\u00b5m": 1e-6, "km": 1e3, "in": INCH, "ft": FOOT}
+LENGTHS: dict[str, float] = {"m": 1, "mm": 1e-3, "cm": 1e-2, "um": 1e-6, "\u00b5m": 1e-6, "km": 1e3, "in": INCH,
+                             "ft": FOOT}
 MASSES: dict[str, float] = {"kg": 1, "t": 1e3, "g": 1e-3, "mg": 1e-6, "lb": POUND, "lbf s2/in": POUND_FORCE / INCH,
           "lbf s2/ft": POUND_FORCE / FOOT, "slug": POUND_FORCE / FOOT}
 TIMES: dict[str, float] = {"s": 1, "ms": 1e-3, "us": 1e-6, "\u00b5s": 1e-6, "ns": 1e-9}
@@ -16,28 +18,33 @@ SHOWN = {"um": "\u00b5m", "us": "\u00b5s", "lbf s2/in": "lbf\u00b7s\u00b2/in", "
 # Powers of length, mass and time in each quantity that docs/output.md names.
 DIMENSIONS: dict[str, Powers] = {
     "-": (0, 0, 0), "length": (1, 0, 0), "mass": (0, 1, 0), "time": (0, 0, 1), "velocity": (1, 0, -1),
-    "acceleration": (1, 0, -2), "frequency": (0, 0, -1), "force": (1, 1, -2), "pressure": (-1, 1, -2), "energy": (2, 1, -2),
-    "momentum": (1, 1, -1), "angular momentum": (2, 1, -1), "moment": (2, 1, -2), "area": (2, 0, 0),
-    "density": (-3, 1, 0), "temperature": (0, 0, 0),
+    "acceleration": (1, 0, -2), "frequency": (0, 0, -1), "force": (1, 1, -2), "pressure": (-1, 1, -2),
+    "energy": (2, 1, -2), "momentum": (1, 1, -1), "angular momentum": (2, 1, -1), "moment": (2, 1, -2),
+    "area": (2, 0, 0), "density": (-3, 1, 0), "temperature": (0, 0, 0),
 }
-NAMED: list[tuple[str, str, float, bool]] = [("force", "N", 1, True), ("force", "lbf", POUND_FORCE, False), ("force", "dyn", 1e-5, False),
-         ("pressure", "Pa", 1, True), ("pressure", "Mbar", 1e11, False), ("pressure", "psi", POUND_FORCE / INCH**2, False),
-         ("pressure", "psf", POUND_FORCE / FOOT**2, False), ("energy", "J", 1, True), ("energy", "erg", 1e-7, False),
-         ("energy", "in\u00b7lbf", POUND_FORCE * INCH, False), ("energy", "ft\u00b7lbf", POUND_FORCE * FOOT, False)]
-OWN_PREFIXES: list[tuple[str, float]] = [("", 1), ("k", 1e3), ("M", 1e6), ("G", 1e9), ("T", 1e12), ("m", 1e-3), ("\u00b5", 1e-6), ("n", 1e-9)]
+NAMED: list[tuple[str, str, float, bool]] = [
+    ("force", "N", 1, True), ("force", "lbf", POUND_FORCE, False), ("force", "dyn", 1e-5, False),
+    ("pressure", "Pa", 1, True), ("pressure", "Mbar", 1e11, False), ("pressure", "psi", POUND_FORCE / INCH**2, False),
+    ("pressure", "psf", POUND_FORCE / FOOT**2, False), ("energy", "J", 1, True), ("energy", "erg", 1e-7, False),
+    ("energy", "in\u00b7lbf", POUND_FORCE * INCH, False), ("energy", "ft\u00b7lbf", POUND_FORCE * FOOT, False),
+]
+OWN_PREFIXES: list[tuple[str, float]] = [("", 1), ("k", 1e3), ("M", 1e6), ("G", 1e9), ("T", 1e12), ("m", 1e-3),
+                                         ("\u00b5", 1e-6), ("n", 1e-9)]
 
 # What labels may name besides.
-MORE_UNITS: dict[str, tuple[float, str]] = {"Hz": (1, "frequency"), "bar": (1e5, "pressure"), "min": (60, "time"), "h": (3600, "time")}
+MORE_UNITS: dict[str, tuple[float, str]] = {"Hz": (1, "frequency"), "bar": (1e5, "pressure"), "min": (60, "time"),
+                                            "h": (3600, "time")}
 GRAVITY = 9.80665  # [m/s2] what g is of an acceleration
 
-PREFIXES: list[tuple[float, str]] = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1, ""), (1e-3, "m"), (1e-6, "\u00b5"), (1e-9, "n")]
-PREFIXED = {"Pa": ("Pa", 1.0), "N": ("N", 1.0), "J": ("J", 1.0), "mJ": ("J", 1e-3), "kJ": ("J", 1e3)}  # units whose prefix suits the
-# numbers, and what they are without one; others stay as the deck has them
+PREFIXES: list[tuple[float, str]] = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1, ""), (1e-3, "m"), (1e-6, "\u00b5"),
+                                     (1e-9, "n")]
+# Units whose prefix suits the numbers, and what they are without one; others stay as the deck has them.
+PREFIXED = {"Pa": ("Pa", 1.0), "N": ("N", 1.0), "J": ("J", 1.0), "mJ": ("J", 1e-3), "kJ": ("J", 1e3)}
 
 
 def find_powers(quantity: str | None) -> Powers | None:
-    """Powers of length, mass and time in a quantity, by its name or as a product: 'energy', 'mass length^2 / time^2', 'mass
-    length^2 time^-2', '1'. None if it is not known."""
+    """Powers of length, mass and time in a quantity, by its name or as a product: 'energy', 'mass length^2 / time^2',
+    'mass length^2 time^-2', '1'. None if it is not known."""
     if not quantity or quantity in DIMENSIONS:
         return DIMENSIONS[quantity] if quantity else None
     if quantity == "1":
@@ -72,7 +79,8 @@ class BadUnits(ValueError):
 
 
 class Units:
-    """A system of units: that of 'mm, kg, ms'. Attributes: text, and length, mass and time, each a name and its size in SI."""
+    """A system of units: that of 'mm, kg, ms'.
+    Attributes: text, and length, mass and time, each a name and its size in SI."""
 
     def __init__(self, text: str) -> None:
         """BadUnits if the text names no length, mass and time that are known."""
@@ -107,7 +115,8 @@ class Units:
 
     def name_of_powers(self, powers: Powers) -> str:
         """The unit of a product of powers of length, mass and time."""
-        named = next((name for name, known in DIMENSIONS.items() if known == tuple(powers) and name not in ("temperature", "-")), None)
+        named = next((name for name, known in DIMENSIONS.items()
+                      if known == tuple(powers) and name not in ("temperature", "-")), None)
         return self.name_of(named) if named else self._write_product(powers)
 
     def _write_product(self, powers: Powers) -> str:
@@ -116,7 +125,9 @@ class Units:
         for (name, _), power in zip((self.mass, self.length, self.time), (powers[1], powers[0], powers[2])):
             if power:
                 base = f"({name})" if "/" in name and abs(power) > 1 else name
-                (above if power > 0 else below).append(base + {1: "", 2: "\u00b2", 3: "\u00b3"}.get(int(abs(power)) if float(power).is_integer() else 0, f"^{abs(power)}"))
+                whole = int(abs(power)) if float(power).is_integer() else 0
+                raised = base + {1: "", 2: "\u00b2", 3: "\u00b3"}.get(whole, f"^{abs(power)}")
+                (above if power > 0 else below).append(raised)
         if not below:
             return "\u00b7".join(above)
         under = "\u00b7".join(below)
@@ -124,8 +135,8 @@ class Units:
 
 
 def measure_unit(text: str, powers: Powers | None) -> float | None:
-    """The size in SI of a unit such as 'kN', 'km/h', 'mm/s^2', or 'g' of an acceleration; None where it is not known, or has other powers
-    of length, mass and time."""
+    """The size in SI of a unit such as 'kN', 'km/h', 'mm/s^2', or 'g' of an acceleration; None where it is not known,
+    or has other powers of length, mass and time."""
     if powers == DIMENSIONS["acceleration"] and text in ("g", "G"):
         return GRAVITY
     known = _read_product(text)

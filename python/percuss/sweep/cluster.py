@@ -4,11 +4,14 @@ import shlex
 
 
 def write_job_array(words, count, at_once, threads):
-    """words: the command, without --job-array. The table follows when the same command is called after the array has ended."""
+    """words: the command, without --job-array.
+    The table follows when the same command is called after the array has ended."""
     command = shlex.join(words)
-    lines = ["#!/bin/bash", "#SBATCH --job-name=percuss_sweep", f"#SBATCH --array=1-{count}" + (f"%{at_once}" if at_once else ""),
+    lines = ["#!/bin/bash", "#SBATCH --job-name=percuss_sweep",
+             f"#SBATCH --array=1-{count}" + (f"%{at_once}" if at_once else ""),
              "#SBATCH --ntasks=1", f"#SBATCH --cpus-per-task={threads}", "#SBATCH --output=percuss_sweep_%a.log",
-             "# Save this text as sweep.sh, then: sbatch sweep.sh. All nodes must see the deck and the folder of the results.",
+             "# Save this text as sweep.sh, then: sbatch sweep.sh. "
+             "All nodes must see the deck and the folder of the results.",
              "# After the array has ended, this command makes the table (finished designs are not run again):",
              f"#   {command}",
              f'exec {command} --only "$SLURM_ARRAY_TASK_ID" --jobs 1 --threads "$SLURM_CPUS_PER_TASK"']

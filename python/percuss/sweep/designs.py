@@ -18,8 +18,8 @@ class BadDesign(ValueError):
 
 
 class Factor:
-    """Keys of the deck that have one value together. values: texts; empty of a range, which a sample fills. low, high: of a range;
-    is_log: its logarithm is evenly spread; is_whole: it has whole numbers alone."""
+    """Keys of the deck that have one value together. values: texts; empty of a range, which a sample fills. low, high:
+    of a range; is_log: its logarithm is evenly spread; is_whole: it has whole numbers alone."""
 
     def __init__(self, name, values=(), low=0.0, high=0.0, is_log=False, is_whole=False):
         self.name, self.values = name, list(values)
@@ -69,7 +69,8 @@ def split_outside(text, separator=","):
 
 
 def parse_factor(text):
-    """'a.b=1,2,3', 'a.b=5..9:5' (evenly spaced), 'a.b=1e3..1e6:4:log', 'a.b=5..9' (a range, for samples), 'a.b,c.d=1,2' (together)."""
+    """'a.b=1,2,3', 'a.b=5..9:5' (evenly spaced), 'a.b=1e3..1e6:4:log', 'a.b=5..9' (a range, for samples),
+    'a.b,c.d=1,2' (together)."""
     name, equals, words = text.partition("=")
     keys = [key.strip() for key in name.split(",")]
     if not equals or not words.strip() or not all(re.fullmatch(r"[\w.-]+", key) for key in keys):
@@ -93,7 +94,8 @@ def _parse_range(name, text, match):
     words = match[3].split(":")[1:]
     is_log, is_whole = "log" in words, "int" in words
     counts = [word for word in words if word not in ("log", "int")]
-    if not (math.isfinite(low) and math.isfinite(high) and low < high) or len(counts) > 1 or any(not count.isdigit() for count in counts):
+    if (not (math.isfinite(low) and math.isfinite(high) and low < high) or len(counts) > 1
+            or any(not count.isdigit() for count in counts)):
         raise BadDesign(f"--vary '{text}' is no range (LOW below HIGH, then :COUNT, :log or :int)")
     if is_log and low <= 0:
         raise BadDesign(f"--vary '{text}': a logarithmic range must be above zero")
@@ -113,7 +115,9 @@ def _parse_range(name, text, match):
 def _round(factor, share):
     if factor.is_whole:
         return str(round(factor.low + share * (factor.high - factor.low)))
-    return f"{factor.low * (factor.high / factor.low) ** share if factor.is_log else factor.low + share * (factor.high - factor.low):.10g}"
+    if factor.is_log:
+        return f"{factor.low * (factor.high / factor.low) ** share:.10g}"
+    return f"{factor.low + share * (factor.high - factor.low):.10g}"
 
 
 def check_names(names):
@@ -143,8 +147,8 @@ def parse_sample(text):
 
 
 def sample(factors, text, seed=0):
-    """A Latin hypercube, or Sobol's sequence (scrambled; it fills best with a power of two of designs). Of a list of values each has
-    the same share."""
+    """A Latin hypercube, or Sobol's sequence (scrambled; it fills best with a power of two of designs). Of a list of
+    values each has the same share."""
     from scipy.stats import qmc
 
     check_names([factor.name for factor in factors])
@@ -165,7 +169,8 @@ def read_designs(path):
     except csv.Error as error:
         raise NotResults(f"{path}: this is no table ({error})") from error
     if len(rows) < 2:
-        raise NotResults(f"{path}: there is no design in it (a heading with keys of the deck and a line for each design are needed)")
+        raise NotResults(f"{path}: there is no design in it "
+                         "(a heading with keys of the deck and a line for each design are needed)")
     names = rows[0]
     if wrong := next((name for name in names if not re.fullmatch(r"[\w.-]+(,[\w.-]+)*", name)), None):
         raise NotResults(f"{path}: '{wrong}' in its heading is no key of a deck")

@@ -4,7 +4,8 @@ import os
 
 
 def count_cores():
-    """Cores that this process may use: affinity and the quota of a container both count, as in scripts/available_cores."""
+    """Cores that this process may use: affinity and the quota of a container both count,
+    as in scripts/available_cores."""
     cores = len(os.sched_getaffinity(0))
     try:
         with open("/sys/fs/cgroup/cpu.max", encoding="ascii") as file:
@@ -18,7 +19,8 @@ def find_free_memory():
     """Bytes that new processes may take, by the machine and by the limit of a container; None where it is not known."""
     free = _read_field("/proc/meminfo", "MemAvailable")
     try:
-        with open("/sys/fs/cgroup/memory.max", encoding="ascii") as limit, open("/sys/fs/cgroup/memory.current", encoding="ascii") as now:
+        with open("/sys/fs/cgroup/memory.max",
+                  encoding="ascii") as limit, open("/sys/fs/cgroup/memory.current", encoding="ascii") as now:
             left = int(limit.read()) - int(now.read())
         return left if free is None else min(free, left)
     except (OSError, ValueError):  # "max": no limit

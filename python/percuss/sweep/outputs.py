@@ -14,9 +14,9 @@ TRIAL_ROWS, TRIAL_STEP = 512, 1e-5  # rows that an output is tried with before a
 
 
 class Output:
-    """A column or an expression, with a label or not: 'crush = mean(wall_force_z)', 'peak [kN] = max(fz:hit)'. What is a number gives one
-    column of the table; what has a value in each row gives three: LABEL.peak (of the largest magnitude, with its
-    sign), LABEL.mean (over time), LABEL.last."""
+    """A column or an expression, with a label or not: 'crush = mean(wall_force_z)', 'peak [kN] = max(fz:hit)'. What is
+    a number gives one column of the table; what has a value in each row gives three: LABEL.peak (of the largest
+    magnitude, with its sign), LABEL.mean (over time), LABEL.last."""
 
     def __init__(self, text):
         self.word = text
@@ -29,7 +29,8 @@ class Output:
         """{column: (number, unit)}. BadExpression where it cannot be computed."""
         value = read_labelled(history, self.word)
         self.note = value.note
-        unit = history.units.name_of_powers(value.powers) if history.units and value.powers and any(value.powers) else ""
+        unit = (history.units.name_of_powers(value.powers)
+                if history.units and value.powers and any(value.powers) else "")
         unit = unit if value.unit is None else value.unit
         if np.ndim(value.values) == 0:
             return {self.label: (float(value.values), unit)}
@@ -44,7 +45,8 @@ class Output:
 
 def list_default_outputs(history):
     """The largest resultant of each force, then the energies at the end."""
-    forces = [name.partition(":")[2] for name in history if name.startswith("fx:") and name.replace("fx", "fy", 1) in history]
+    forces = [name.partition(":")[2]
+              for name in history if name.startswith("fx:") and name.replace("fx", "fy", 1) in history]
     found = [Output(f"{name} = max(resultant('{name}'))") for name in forces]
     return found + [Output(f"{name} = last({name})") for name in ("kinetic", "internal") if name in history]
 
@@ -59,10 +61,12 @@ def read_outputs(run, outputs):
 
 
 def judge_outputs(outputs, scene):
-    """BadExpression or NotResults where outputs cannot be computed of the history that a run will write. scene: percuss check --json."""
+    """BadExpression or NotResults where outputs cannot be computed of the history that a run will write.
+    scene: percuss check --json."""
     columns = scene["columns"]
     if not columns:
-        raise NotResults(f"{scene['deck']}: runs will write no history.csv to compute outputs from (the deck has no output.history): add it")
+        raise NotResults(f"{scene['deck']}: runs will write no history.csv to compute outputs from "
+                         "(the deck has no output.history): add it")
     table = np.ones((TRIAL_ROWS, len(columns)))
     units, sidecar = find_units(scene["units"]), {column["name"]: column for column in columns}
     table[:, 0] = TRIAL_STEP / (units.time[1] if units else 1) * np.arange(TRIAL_ROWS)

@@ -21,16 +21,19 @@ def make_page(deck, table, links):
     """links: {number of a design: path of its report}."""
     done = [row for row in table.rows if row.state == "completed"]
     sections = [("table", "Designs", _make_table(table, links)), ("warnings", "Warnings", _list_warnings(table)),
-                ("effects", "Designs and main effects", _draw_effects(table, done)), ("correlation", "Correlation", _make_correlation(table, done))]
+                ("effects", "Designs and main effects", _draw_effects(table, done)),
+                ("correlation", "Correlation", _make_correlation(table, done))]
     parts = [f"<h1>{escape('Sweep of ' + deck)}</h1>", _tell(table, done)]
-    parts.append("<nav>" + "".join(f"<a href='#{name}'>{escape(title)}</a>" for name, title, text in sections if text) + "</nav>")
+    parts.append("<nav>" + "".join(f"<a href='#{name}'>{escape(title)}</a>" for name, title, text in sections if text)
+                 + "</nav>")
     parts += [f"<section id={name}><h2>{escape(title)}</h2>{text}</section>" for name, title, text in sections if text]
     return wrap_page(f"Sweep of {deck}", "".join(parts), "sweep")
 
 
 def _tell(table, done):
     clock = time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime())
-    rest = {state: sum(row.state == state for row in table.rows) for state in ("failed", "refused", "interrupted", "elsewhere", "waiting")}
+    rest = {state: sum(row.state == state for row in table.rows)
+            for state in ("failed", "refused", "interrupted", "elsewhere", "waiting")}
     words = "".join(f", {count} {state}" for state, count in rest.items() if count)
     warned = sum(bool(row.warnings) for row in table.rows)
     if warned:
@@ -58,11 +61,13 @@ def _make_table(table, links):
     heading = ["design", *table.inputs, *named, "state", "energy error", "time [s]", "warnings"]
     rows = []
     for row in table.rows:
-        name = Markup(f"<a href='{escape(links[row.number])}'>{row.number}</a>") if row.number in links else str(row.number)
+        name = (Markup(f"<a href='{escape(links[row.number])}'>{row.number}</a>") if row.number in links
+                else str(row.number))
         numbers = [format_number(row.outputs[name][0]) if name in row.outputs else "" for name in table.outputs]
         state = f"{row.state}: {row.error}" if row.error else row.state
         rest = ["" if value is None else f"{value:.3g}" for value in (row.energy_error, row.seconds)]
-        rows.append([name, *(row.inputs.get(name, "") for name in table.inputs), *numbers, state, *rest, name_rules(row.warnings)])
+        rows.append([name, *(row.inputs.get(name, "") for name in table.inputs), *numbers, state, *rest,
+                     name_rules(row.warnings)])
     first = 1 + len(table.inputs)
     return "<div style='overflow-x:auto'>" + make_table(heading, rows, (*range(1, first + len(named)),)) + "</div>"
 
@@ -71,11 +76,14 @@ def _draw_effects(table, done):
     if len(done) < 2:
         return "<p class=soft>At least two completed designs are needed.</p>"
     inputs, outputs = _list_varied(table, done)[:MOST_INPUTS], list(table.outputs)[:MOST_FIGURES]
-    figures = "".join(f"<figure>{write_svg(_draw_output(name, table.outputs[name], inputs, done))}</figure>" for name in outputs)
+    figures = "".join(f"<figure>{write_svg(_draw_output(name, table.outputs[name], inputs, done))}</figure>"
+                      for name in outputs)
     left = len(table.outputs) - len(outputs)
     note = f"<p class=soft>{left} more outputs are not drawn; sweep.csv has them.</p>" if left else ""
-    return ("<p>Each point is a design. The line joins the means of the designs with one value of the input, or of groups of neighbours "
-            f"where there are more than eight values or one design to most values.</p><div class=plots>{figures}</div>{note}")
+    return ("<p>Each point is a design. "
+            "The line joins the means of the designs with one value of the input, or of groups of neighbours "
+            "where there are more than eight values or one design to most values.</p>"
+            f"<div class=plots>{figures}</div>{note}")
 
 
 def _list_varied(table, done):
@@ -98,7 +106,8 @@ def _draw_output(name, unit, inputs, done):
                 axes.plot(*zip(*effect), color=COLORS[1], linewidth=1.5)
             if words and len(words) <= MOST_LABELS:
                 axes.set_xticks(range(len(words)), [word[:LONGEST_LABEL] for word in words], rotation=30, ha="right")
-            axes.set_xlabel(factor if len(factor) <= 2 * LONGEST_LABEL else "\u2026" + factor[-2 * LONGEST_LABEL :], fontsize=8)
+            axes.set_xlabel(factor if len(factor) <= 2 * LONGEST_LABEL else "\u2026" + factor[-2 * LONGEST_LABEL :],
+                            fontsize=8)
             axes.tick_params(labelleft=place == 0)
         if first is not None:
             figure.axes[0].set_ylabel(f"{name} [{unit}]" if unit else name)
@@ -118,12 +127,14 @@ def _make_correlation(table, done):
             x, words = place_inputs([row.inputs[factor] for row in chosen])
             cells.append("words" if words else _show(correlate(x, y), correlate(rank(x), rank(y))))
         rows.append(cells)
-    return ("<p>1: the output grows in proportion to the input; -1: it falls; 0: no linear dependence. In brackets the same of the ranks, "
-            "which does not ask for proportion.</p>" + make_table(["output", *inputs], rows, range(1, 1 + len(inputs))))
+    return ("<p>1: the output grows in proportion to the input; -1: it falls; 0: no linear dependence. "
+            "In brackets the same of the ranks, which does not ask for proportion.</p>"
+            + make_table(["output", *inputs], rows, range(1, 1 + len(inputs))))
 
 
 def _show(of_values, of_ranks):
     if not np.isfinite(of_values):
         return "-"
     color = "209,73,91" if of_values > 0 else "31,111,178"
-    return Markup(f"<span style='background:rgba({color},{0.45 * abs(of_values):.2f});padding:1px 6px'>{of_values:.2f} ({of_ranks:.2f})</span>")
+    return Markup(f"<span style='background:rgba({color},{0.45 * abs(of_values):.2f});padding:1px 6px'>{of_values:.2f} "
+                  f"({of_ranks:.2f})</span>")

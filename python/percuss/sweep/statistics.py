@@ -32,8 +32,8 @@ def rank(values):
 
 
 def find_main_effect(x, y, is_alone=False):
-    """(x, mean of y, number of designs) of each level of x, or of groups of neighbours: where there are many levels, or where other inputs
-    vary too and most levels have one design, as in samples. is_alone: no other input varies."""
+    """(x, mean of y, number of designs) of each level of x, or of groups of neighbours: where there are many levels, or
+    where other inputs vary too and most levels have one design, as in samples. is_alone: no other input varies."""
     levels, inverse = np.unique(x, return_inverse=True)
     if len(levels) > MOST_LEVELS or (not is_alone and len(levels) > len(x) / FEWEST_IN_GROUP):
         order = np.argsort(x, kind="stable")

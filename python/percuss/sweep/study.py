@@ -1,7 +1,8 @@
 """Runs the designs of a deck beside each other, each once: a finished run is known again by the deck that was run.
 
-A design has its folder by the content of its deck: the values that `percuss check --json` gives, with --set applied, and the files that
-they name. So a run that is there is found again whatever the order or the number of designs, and another deck never takes its place."""
+A design has its folder by the content of its deck: the values that `percuss check --json` gives, with --set applied,
+and the files that they name. So a run that is there is found again whatever the order or the number of designs,
+and another deck never takes its place."""
 
 import hashlib
 import json
@@ -26,15 +27,16 @@ READ_AT_ONCE = 1 << 20
 
 
 class Result:
-    """What became of a design. state: completed, failed, refused, interrupted, elsewhere (another process runs it), waiting. run: a Run,
-    or None; was_there: it had been finished before."""
+    """What became of a design. state: completed, failed, refused, interrupted, elsewhere (another process runs it),
+    waiting. run: a Run, or None; was_there: it had been finished before."""
 
     def __init__(self, design, state="waiting", folder="", error="", was_there=False):
         self.design, self.state, self.folder, self.error, self.was_there = design, state, folder, error, was_there
 
     @property
     def run(self):
-        return Run(self.folder) if self.folder and os.path.isdir(self.folder) and self.state in ("completed", "failed") else None
+        return (Run(self.folder)
+                if self.folder and os.path.isdir(self.folder) and self.state in ("completed", "failed") else None)
 
     @property
     def warnings(self):
@@ -43,11 +45,13 @@ class Result:
 
 
 class Study:
-    """deck: its path. folder: where the runs go. settings: what --set gives all designs. jobs, threads: 0 for as many as cores and
-    memory allow. retry: whether failed runs are run again. follow(result): called when a design has ended. judge(scene): called with what
-    percuss check --json says of the first design, before anything runs; an exception of it ends the study."""
+    """deck: its path. folder: where the runs go. settings: what --set gives all designs. jobs, threads: 0 for as many
+    as cores and memory allow. retry: whether failed runs are run again. follow(result): called when a design has ended.
+    judge(scene): called with what percuss check --json says of the first design, before anything runs;
+    an exception of it ends the study."""
 
-    def __init__(self, deck, folder, settings=(), jobs=0, threads=0, retry=False, follow=None, libraries=(), judge=None):
+    def __init__(self, deck, folder, settings=(), jobs=0, threads=0, retry=False, follow=None, libraries=(),
+                 judge=None):
         self.deck, self.folder, self.settings = os.fspath(deck), os.fspath(folder), list(settings)
         self.libraries = list(libraries)  # with laws of the user, which may be loaded
         self.jobs, self.threads, self.retry, self.follow = jobs, threads, retry, follow
@@ -58,7 +62,8 @@ class Study:
             raise NotResults(f"{deck}: there is no such deck")
 
     def run(self, designs):
-        """Results in the order of the designs. A KeyboardInterrupt passes through after the runs have written their checkpoints."""
+        """Results in the order of the designs.
+        A KeyboardInterrupt passes through after the runs have written their checkpoints."""
         os.makedirs(self.folder, exist_ok=True)
         results, waiting, active = {}, list(designs), []
         try:
@@ -77,8 +82,8 @@ class Study:
         return [results[design.number] for design in designs]
 
     def _may_start(self, active):
-        """By cores first, then by memory: what is free must hold what the active runs may still take, and one more. What a run takes is
-        known when the first one has begun to step."""
+        """By cores first, then by memory: what is free must hold what the active runs may still take, and one more.
+        What a run takes is known when the first one has begun to step."""
         if not active:
             return True
         if len(active) >= (self.jobs or self.cores // max(1, self.threads) or 1):
@@ -141,14 +146,15 @@ class _Work:
 
     def _settings(self):
         allowed = [word for library in self.study.libraries for word in ("--allow-library", library)]
-        return [*allowed, *(word for setting in [*self.study.settings, *self.design.settings] for word in ("--set", setting))]
+        return [*allowed,
+                *(word for setting in [*self.study.settings, *self.design.settings] for word in ("--set", setting))]
 
     def _start(self, *words):
         """In a group of its own: a Ctrl-C at the terminal reaches this process alone, which passes it on."""
         environment = dict(os.environ, OMP_NUM_THREADS=str(self.threads), OMP_PROC_BIND="false")
         self.out, self.errors = tempfile.TemporaryFile(), tempfile.TemporaryFile()
-        self.process = subprocess.Popen([self.study.program, *words], stdin=subprocess.DEVNULL, stdout=self.out, stderr=self.errors,
-                                        env=environment, start_new_session=True)
+        self.process = subprocess.Popen([self.study.program, *words], stdin=subprocess.DEVNULL, stdout=self.out,
+                                        stderr=self.errors, env=environment, start_new_session=True)
 
     def advance(self):
         """Whether it has ended."""

@@ -15,11 +15,12 @@ def name_rules(warnings):
 
 
 class Row:
-    """inputs {factor: text}, outputs {column: (number, unit)}, and of the run: state, error, warnings (as summary.json has
-    them), energy_error, seconds, folder."""
+    """inputs {factor: text}, outputs {column: (number, unit)}, and of the run: state, error, warnings (as summary.json
+    has them), energy_error, seconds, folder."""
 
     def __init__(self, result, outputs, base):
-        self.number, self.inputs, self.state, self.error = result.design.number, result.design.inputs, result.state, result.error
+        self.number, self.inputs, self.state, self.error = (result.design.number, result.design.inputs, result.state,
+                                                            result.error)
         self.outputs, self.energy_error, self.seconds, run = {}, None, None, result.run
         self.warnings = result.warnings
         self.folder = os.path.relpath(result.folder, base) if result.folder else ""
@@ -30,7 +31,8 @@ class Row:
         if self.state != "completed":
             return
         if not run.has_history:
-            raise NotResults(f"{result.folder}: there is no history.csv to compute outputs from (output.history of the deck)")
+            raise NotResults(f"{result.folder}: there is no history.csv to compute outputs from "
+                             "(output.history of the deck)")
         self.outputs = read_outputs(run, outputs)
 
 
@@ -50,8 +52,8 @@ class Table:
         """Texts; empty where there is no value."""
         values = [row.outputs[name][0] if name in row.outputs else None for name in self.outputs]
         numbers = ["" if value is None else f"{value:.10g}" for value in values]
-        rest = [row.state, *("" if value is None else f"{value:.4g}" for value in (row.energy_error, row.seconds)), row.folder, row.error,
-                name_rules(row.warnings)]
+        rest = [row.state, *("" if value is None else f"{value:.4g}" for value in (row.energy_error, row.seconds)),
+                row.folder, row.error, name_rules(row.warnings)]
         return [str(row.number), *(row.inputs.get(name, "") for name in self.inputs), *numbers, *rest]
 
     def list_warned(self):

@@ -14,18 +14,21 @@ NEEDS = ("numpy", "h5py", "matplotlib")
 WISHES = ("scipy",)  # of --sample
 EPILOG = """\
 Each --vary names a key of the deck, as --set does, and what it takes:
-  parts.wall.thickness=1e-3,2e-3       these values
-  materials.steel.yield_stress=2e8..6e8:5   five values at equal distances; :log for equal ratios, :int for whole numbers
-  initial.0.velocity.2=-80..-40        a range, for --sample
+  parts.wall.thickness=1e-3,2e-3            these values
+  materials.steel.yield_stress=2e8..6e8:5   five values at equal distances; :log for equal ratios,
+                                            :int for whole numbers
+  initial.0.velocity.2=-80..-40             a range, for --sample
   parts.a.thickness,parts.b.thickness=1,2   both together
-Without --sample every combination is run. --designs reads them from a CSV file: keys in its heading, a design in each line.
+Without --sample every combination is run.
+--designs reads them from a CSV file: keys in its heading, a design in each line.
 
-Each --output is a column of history.csv or an expression of columns, as percuss plot has them, with a label or not. What is one number
-(max, min, mean, first, last) gives one column; else there are LABEL.peak, LABEL.mean and LABEL.last. By default: the largest resultant of
-each force, and the energies at the end.
+Each --output is a column of history.csv or an expression of columns, as percuss plot has them, with a label or not.
+What is one number (max, min, mean, first, last) gives one column; else there are LABEL.peak, LABEL.mean and LABEL.last.
+By default: the largest resultant of each force, and the energies at the end.
 
-A finished design is not run again: it is known by the values of its deck and by the files that the deck names. An interrupt stops the
-runs with checkpoints; the same command goes on. A design that is refused or fails is a row of the table.
+A finished design is not run again: it is known by the values of its deck and by the files that the deck names. An
+interrupt stops the runs with checkpoints; the same command goes on.
+A design that is refused or fails is a row of the table.
 
 examples:
   percuss sweep tube.yaml --vary parts.tube.thickness=1e-3,2e-3,3e-3 --output 'crush = mean(fz:crush)'
@@ -33,8 +36,9 @@ examples:
   percuss sweep tube.yaml --designs designs.csv --out study
   percuss sweep tube.yaml --vary a.b=5..9:20 --threads 8 --job-array > sweep.sh     a job array of Slurm
 
-Exit codes: 0 the table is written; 2 an option, the deck or an expression is wrong, or a library is missing; 3 no design has completed;
-130 interrupted. Needs Python 3 with NumPy, h5py and Matplotlib, --sample SciPy too: scripts/install_dependencies --report installs them.
+Exit codes: 0 the table is written; 2 an option, the deck or an expression is wrong, or a library is missing; 3 no
+design has completed; 130 interrupted.
+Needs Python 3 with NumPy, h5py and Matplotlib, --sample SciPy too: scripts/install_dependencies --report installs them.
 See docs/sweep.md.
 """
 
@@ -49,12 +53,17 @@ def parse_arguments(words):
     add("--sample", metavar="KIND:N", help="N designs by a Latin hypercube (lhs:N) or by Sobol's sequence (sobol:N)")
     add("--seed", metavar="NUMBER", type=int, default=0, help="another sample of the same kind (default: 0)")
     add("--designs", metavar="FILE", help="designs of a CSV file, in place of --vary")
-    add("-s", "--set", metavar="KEY=VALUE", action="append", default=[], help="a value for all designs; may be repeated")
-    add("--allow-library", metavar="FILE", action="append", default=[], help="load this library with a law of yours; may be repeated")
-    add("--output", metavar="EXPRESSION", action="append", default=[], help="a column of the table: a column of the history, or an expression; may be repeated")
+    add("-s", "--set", metavar="KEY=VALUE", action="append", default=[],
+        help="a value for all designs; may be repeated")
+    add("--allow-library", metavar="FILE", action="append", default=[],
+        help="load this library with a law of yours; may be repeated")
+    add("--output", metavar="EXPRESSION", action="append", default=[],
+        help="a column of the table: a column of the history, or an expression; may be repeated")
     add("--out", metavar="DIR", help="folder of runs, table and page (default: NAME_sweep in the current folder)")
-    add("-j", "--jobs", metavar="N", type=parse_count, default=0, help="runs at once (default: as cores and memory allow)")
-    add("--threads", metavar="N", type=parse_count, default=0, help="threads of each run (default: the share of its cores)")
+    add("-j", "--jobs", metavar="N", type=parse_count, default=0,
+        help="runs at once (default: as cores and memory allow)")
+    add("--threads", metavar="N", type=parse_count, default=0,
+        help="threads of each run (default: the share of its cores)")
     add("--only", metavar="N", type=parse_count, help="run only design N, and write no table (a task of a job array)")
     add("--job-array", action="store_true", help="run nothing: print a job array of Slurm, a task for each design")
     add("--list", action="store_true", help="run nothing: list the designs")
@@ -90,7 +99,8 @@ def choose_designs(arguments):
 
 
 class Teller:
-    """Tells of each design that has ended, with its warnings. Stops before the first run where outputs cannot be computed of its history."""
+    """Tells of each design that has ended, with its warnings.
+    Stops before the first run where outputs cannot be computed of its history."""
 
     def __init__(self, count, outputs):
         self.count, self.outputs, self.ended = count, outputs, 0
@@ -110,8 +120,10 @@ class Teller:
 
         self.ended += 1
         words = f"{result.state} before" if result.was_there else result.state
-        notes = [result.error] * bool(result.error) + [f"warnings: {name_rules(result.warnings)}"] * bool(result.warnings)
-        print_text(f"sweep: {self.ended}/{self.count} {words}: {result.design}" + (f" ({'; '.join(notes)})" if notes else ""), flush=True)
+        notes = ([result.error] * bool(result.error)
+                 + [f"warnings: {name_rules(result.warnings)}"] * bool(result.warnings))
+        print_text(f"sweep: {self.ended}/{self.count} {words}: {result.design}"
+                   + (f" ({'; '.join(notes)})" if notes else ""), flush=True)
 
 
 def write_results(arguments, folder, results, outputs):
@@ -156,23 +168,25 @@ def sweep(arguments):
     from percuss.terminal import print_text
 
     designs, outputs = choose_designs(arguments), [Output(text) for text in arguments.output]
-    name = os.path.splitext(os.path.basename(arguments.deck))[0]
-    folder = arguments.out or f"{os.path.basename(os.path.dirname(os.path.abspath(arguments.deck))) if name == 'deck' else name}_sweep"
+    path, _ = os.path.splitext(os.path.abspath(arguments.deck))
+    name = os.path.basename(os.path.dirname(path) if os.path.basename(path) == "deck" else path)
+    folder = arguments.out or f"{name}_sweep"
     if arguments.list:
         for design in designs:
             print_text(f"{design.number}: {design}")
         return
     if arguments.job_array:
         words = [word for word in arguments.words if word != "--job-array"]
-        print(write_job_array(["percuss", "sweep", *words], len(designs), arguments.jobs, arguments.threads or 1), end="")
+        print(write_job_array(["percuss", "sweep", *words], len(designs), arguments.jobs, arguments.threads or 1),
+              end="")
         return
     if arguments.only:
         if arguments.only > len(designs):
             fail(f"there is no design {arguments.only} (there are {len(designs)})")
         designs = [designs[arguments.only - 1]]
     teller = Teller(len(designs), outputs)
-    study = Study(arguments.deck, folder, arguments.set, arguments.jobs, arguments.threads, arguments.retry, teller.follow,
-                  arguments.allow_library, teller.judge)
+    study = Study(arguments.deck, folder, arguments.set, arguments.jobs, arguments.threads, arguments.retry,
+                  teller.follow, arguments.allow_library, teller.judge)
     print_text(f"sweep: {len(designs)} design{'s' * (len(designs) > 1)} of {arguments.deck} into {folder}", flush=True)
     results = study.run(designs)
     if all(result.state == "refused" for result in results):
@@ -189,7 +203,8 @@ def main(words):
     require("sweeps need", (*NEEDS, *(WISHES if arguments.sample else ())))
     from percuss import NotResults
 
-    signal.signal(signal.SIGTERM, signal.default_int_handler)  # SIGINT may be ignored, as shells have it for what runs behind &
+    # SIGINT may be ignored, as shells have it for what runs behind &
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         sweep(arguments)
     except (NotResults, ValueError) as error:

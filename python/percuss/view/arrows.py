@@ -11,7 +11,8 @@ STEPS = 32767
 
 def list_vectors(fields):
     """Names of the fields of nodes that have three components."""
-    return [name for name, place in fields.names().items() if place == "node" and fields.data(name, 0).shape[1:] == (3,)]
+    return [name
+            for name, place in fields.names().items() if place == "node" and fields.data(name, 0).shape[1:] == (3,)]
 
 
 def describe_arrows(fields, name, shape, content):

@@ -1,15 +1,18 @@
-"""A coarser surface: nodes within a cube of a grid become one (Rossignac and Borrel, Multi-resolution 3D approximations, 1993)."""
+"""A coarser surface: nodes within a cube of a grid become one (Rossignac and Borrel,
+Multi-resolution 3D approximations, 1993)."""
 
 import numpy as np
 
 
 def merge_nodes(places, side, corners, owners, parts, visible):
-    """(corners, owners, visible) without faces that have lost their area, and each face once. side: of the cubes. Nodes stay where they
-    are: that which is nearest to the middle of its cube's stands for them; those of different parts stay apart."""
+    """(corners, owners, visible) without faces that have lost their area, and each face once. side: of the cubes. Nodes
+    stay where they are: that which is nearest to the middle of its cube's stands for them;
+    those of different parts stay apart."""
     nodes = np.unique(corners)
     part = np.zeros(len(places), dtype=np.int64)
     part[corners.reshape(-1)] = np.repeat(parts[owners], 4)
-    cubes = np.column_stack([part[nodes], np.floor((places[nodes] - places[nodes].min(axis=0)) / side).astype(np.int64)])
+    cubes = np.column_stack([part[nodes],
+                             np.floor((places[nodes] - places[nodes].min(axis=0)) / side).astype(np.int64)])
     _, cube = np.unique(cubes, axis=0, return_inverse=True)
     cube = cube.reshape(-1)
     count = np.bincount(cube)
@@ -25,7 +28,8 @@ def merge_nodes(places, side, corners, owners, parts, visible):
 def _drop_flat_and_double(corners, owners, visible, beams):
     """Beams keep both ends; a face that has two equal corners is a triangle, with its last corner twice."""
     a, b, c, d = corners.T
-    flat = np.where(beams, a == b, (a == c) | (b == d) | ((a == b) & (c == d)) | ((b == c) & (a == d)) | ((a == b) & (b == c)) | ((c == d) & (d == a)))
+    flat = np.where(beams, a == b, (a == c) | (b == d) | ((a == b) & (c == d)) | ((b == c) & (a == d))
+                    | ((a == b) & (b == c)) | ((c == d) & (d == a)))
     corners, owners, visible, beams = corners[~flat], owners[~flat], visible[:, ~flat], beams[~flat]
     same = (corners == np.roll(corners, -1, axis=1)) & ~beams[:, None]
     shift = np.where(same.any(axis=1), np.argmax(same, axis=1) - 2, 0)

@@ -15,8 +15,9 @@ COARSEST = 15  # sides of a cube of the grid along the diagonal of the scene
 
 
 def pack_view(fields, names, largest=LARGEST_PACK, kept=None, frames=None):
-    """(description, text of base 64, sentences of what has been reduced), as much as fits: first arrows are left out, then sections of solids, then
-    frames, then parts that do not move, then nodes are merged, then more frames. frames: these alone."""
+    """(description, text of base 64, sentences of what has been reduced), as much as fits: first arrows are left out,
+    then sections of solids, then frames, then parts that do not move, then nodes are merged,
+    then more frames. frames: these alone."""
     kept = np.ones(fields.elements, dtype=bool) if kept is None else kept
     chosen = _spread(fields, MOST_FRAMES) if frames is None else np.asarray(frames)
     solids = int((kept & ~are_lines(fields.hexahedra) & (fields.hexahedra[:, 0] != fields.hexahedra[:, 4])).sum())
@@ -47,7 +48,8 @@ def _with_fewer_frames(fields, content, packed, largest, fewest=FEWEST_FRAMES):
     wanted = len(content.frames)
     while wanted > fewest and len(packed[1]) > largest:
         wanted = max(fewest, min(wanted - 1, int(wanted * 0.9 * largest / len(packed[1]))))
-        content = content.but(frames=content.frames[np.unique(np.round(np.linspace(0, len(content.frames) - 1, wanted)).astype(int))])
+        chosen = np.unique(np.round(np.linspace(0, len(content.frames) - 1, wanted)).astype(int))
+        content = content.but(frames=content.frames[chosen])
         packed = pack(fields, content)
     return content, packed
 
@@ -106,7 +108,8 @@ def _tell(fields, content, about, solids, kept, given):
         names = [fields.part_names[part] for part in np.unique(fields.part[kept & ~content.kept])]
         reduced_by.append(f"parts that do not move are left out ({', '.join(names)})")
     if content.merge:
-        reduced_by.append(f"the surface is coarser: nodes within {content.merge:.3g} of each other are one, {about['faces']:,} faces are left")
+        reduced_by.append(f"the surface is coarser: nodes within {content.merge:.3g} of each other are one, "
+                          f"{about['faces']:,} faces are left")
     if solids and not content.volumes:
         reduced_by.append("a cut leaves solids open: what is inside does not fit")
     return reduced_by

@@ -9,25 +9,28 @@ from percuss.results.units import choose_unit
 
 
 def describe_field(fields, name, shape, content):
-    """(description, [frames][items] the field in 254 steps between the ends of the bar; 255: no number). Items are the nodes or the
-    elements of the shape. Below and above the bar it is its end."""
+    """(description, [frames][items] the field in 254 steps between the ends of the bar; 255: no number). Items are the
+    nodes or the elements of the shape. Below and above the bar it is its end."""
     place = fields.names()[name]
     items = shape.elements if place == "element" else shape.nodes
     values = [fields.values(name, frame)[items] for frame in content.frames]
     ends = find_ends(values)
     low, high, labels = choose_bar(find_typical_ends(values) if name not in colors.CATEGORIES else ends)
     unit, factor = choose_unit(fields.unit_of(name), max(abs(low), abs(high)))
-    described = {"name": name, "place": place, "title": colors.label_of(name), "unit": unit, "low": low * factor, "high": high * factor,
-                 "labels": [f"{x * factor:.4g}" for x in np.linspace(low, high, labels)], "map": colors.MAPS["heat"], "note": ""}
+    described = {"name": name, "place": place, "title": colors.label_of(name), "unit": unit, "low": low * factor,
+                 "high": high * factor, "labels": [f"{x * factor:.4g}" for x in np.linspace(low, high, labels)],
+                 "map": colors.MAPS["heat"], "note": ""}
     if ends and (ends[0] < low or ends[1] > high):
         described["note"] = f"data: {ends[0] * factor:.3g} to {ends[1] * factor:.3g}"
-    described["largest"] = [] if name in colors.CATEGORIES else [_tell_largest(fields, name, frame, content, factor) for frame in content.frames]
+    described["largest"] = ([] if name in colors.CATEGORIES
+                            else [_tell_largest(fields, name, frame, content, factor) for frame in content.frames])
     share = (np.stack(values) - low) / (high - low)
     return described, np.where(np.isfinite(share), np.round(np.clip(share, 0, 1) * 254), 255).astype(np.uint8)
 
 
 def _tell_largest(fields, name, frame, content, factor):
-    """Of all elements that are shown and alive, also of those inside: value, words, place at the start, place in this frame."""
+    """Of all elements that are shown and alive, also of those inside:
+    value, words, place at the start, place in this frame."""
     item, value = find_largest(fields, name, frame, content.kept & fields.alive(frame))
     if item is None:
         return None

@@ -1,4 +1,5 @@
-"""The surface over time for the interactive view: quantised, packed and compressed. unpack.js reads it in the same order."""
+"""The surface over time for the interactive view: quantised, packed and compressed.
+unpack.js reads it in the same order."""
 
 import base64
 import os
@@ -35,20 +36,22 @@ def read_library():
         return None
 
 
+def read_text(name):
+    """The text of a file beside this one."""
+    with open(os.path.join(os.path.dirname(os.path.realpath(__file__)), name), encoding="utf-8") as file:
+        return file.read()
+
+
 def read_viewer():
     """The text of what shows a surface with the library."""
-    texts = []
-    for name in VIEWER:
-        with open(os.path.join(os.path.dirname(os.path.realpath(__file__)), name), encoding="utf-8") as file:
-            texts.append(file.read())
-    return "(function () {\n'use strict';\n" + "\n".join(texts) + "})();\n"
+    return "(function () {\n'use strict';\n" + "\n".join(map(read_text, VIEWER)) + "})();\n"
 
 
 @dataclass
 class Content:
-    """What is packed. names: fields, the first of which is shown at first; vectors: fields of arrows; frames: their numbers; kept
-    [elements]: which are shown; volumes: whether solids come whole, so that a cut shows their inside; merge: the length within which
-    nodes become one (0: none); arrows: how many at most."""
+    """What is packed. names: fields, the first of which is shown at first; vectors: fields of arrows; frames: their
+    numbers; kept [elements]: which are shown; volumes: whether solids come whole, so that a cut shows their inside;
+    merge: the length within which nodes become one (0: none); arrows: how many at most."""
 
     names: list
     frames: np.ndarray
@@ -63,15 +66,18 @@ class Content:
 
 
 class Shape:
-    """The faces that are seen in some frame: corners [faces][4] (nodes; of a triangle the last stands twice, of a beam both do),
-    elements, owners [faces] (places in elements), visible [frames][faces]; cells [volumes][8], their cell_owners, and alive [frames][volumes]."""
+    """The faces that are seen in some frame: corners [faces][4] (nodes; of a triangle the last stands twice, of a beam
+    both do), elements, owners [faces] (places in elements), visible [frames][faces];
+    cells [volumes][8], their cell_owners, and alive [frames][volumes]."""
 
     def __init__(self, fields, content):
         corners, owners, self.visible = _find_faces(fields, content)
         if content.merge:
-            corners, owners, self.visible = merge_nodes(fields.positions(0), content.merge, corners, owners, fields.part, self.visible)
+            corners, owners, self.visible = merge_nodes(fields.positions(0), content.merge, corners, owners,
+                                                        fields.part, self.visible)
         hexahedra = fields.hexahedra
-        inside = content.kept & ~are_lines(hexahedra) & (hexahedra[:, 0] != hexahedra[:, 4]) if content.volumes else np.zeros(fields.elements, dtype=bool)
+        inside = (content.kept & ~are_lines(hexahedra) & (hexahedra[:, 0] != hexahedra[:, 4]) if content.volumes
+                  else np.zeros(fields.elements, dtype=bool))
         solids = np.flatnonzero(inside)
         self.elements = np.unique(np.concatenate([owners, solids]))
         self.owners = np.searchsorted(self.elements, owners)
@@ -116,16 +122,19 @@ def pack(fields, content):
     start = fields.positions(0)[shape.nodes]
     low, scale = _find_box(fields, frames, shape.nodes, start)
     about = {
-        "nodes": len(shape.nodes), "faces": len(shape.corners), "elements": len(shape.elements), "volumes": len(shape.cells), "frames": len(frames),
-        "low": low.tolist(), "scale": (scale / STEPS).tolist(), "erodes": shape.erodes, "parts": fields.part_names,
+        "nodes": len(shape.nodes), "faces": len(shape.corners), "elements": len(shape.elements),
+        "volumes": len(shape.cells), "frames": len(frames), "low": low.tolist(), "scale": (scale / STEPS).tolist(),
+        "erodes": shape.erodes, "parts": fields.part_names,
         "partColors": [colors.PART_COLORS[i % len(colors.PART_COLORS)] for i in range(len(fields.part_names))],
-        "times": [format_time(fields.times[f], fields.times[-1], fields.time_unit) for f in frames], "numbers": [int(f) for f in frames],
-        "fields": [], "arrows": [], "walls": describe_walls(fields, frames, low, scale),
+        "times": [format_time(fields.times[f], fields.times[-1], fields.time_unit) for f in frames], "numbers":
+        [int(f) for f in frames], "fields": [], "arrows": [], "walls": describe_walls(fields, frames, low, scale),
     }
-    pieces = [_difference(shape.corners, np.uint32), _difference(shape.owners, np.uint32), fields.part[shape.elements].astype(np.uint16),
-              _difference(fields.element_ids[shape.elements], np.uint32), _difference(fields.node_ids[shape.nodes], np.uint32),
-              _difference(shape.cells, np.uint32), _difference(shape.cell_owners, np.uint32),
-              _find_changes(np.stack([np.round((_place(fields, frame, shape.nodes, start) - low) / scale * STEPS).astype(np.uint16) for frame in frames]))]
+    pieces = [_difference(shape.corners, np.uint32), _difference(shape.owners, np.uint32),
+              fields.part[shape.elements].astype(np.uint16), _difference(fields.element_ids[shape.elements], np.uint32),
+              _difference(fields.node_ids[shape.nodes], np.uint32), _difference(shape.cells, np.uint32),
+              _difference(shape.cell_owners, np.uint32),
+              _find_changes(np.stack([np.round((_place(fields, frame, shape.nodes, start) - low) / scale * STEPS)
+                                      .astype(np.uint16) for frame in frames]))]
     for name in content.names:
         described, shades = describe_field(fields, name, shape, content)
         about["fields"].append(described)
@@ -149,7 +158,8 @@ def _find_box(fields, frames, nodes, start):
     """(lowest corner, size) of all frames."""
     if not len(nodes):
         return np.zeros(3), np.ones(3)
-    ends = [(places.min(axis=0), places.max(axis=0)) for places in (_place(fields, frame, nodes, start) for frame in frames)]
+    ends = [(places.min(axis=0), places.max(axis=0))
+            for places in (_place(fields, frame, nodes, start) for frame in frames)]
     low, high = np.min([end[0] for end in ends], axis=0), np.max([end[1] for end in ends], axis=0)
     return low, np.where(high > low, high - low, 1.0)
 
@@ -166,7 +176,7 @@ def _difference(values, kind):
 
 
 def _find_changes(whole):
-    """Bytes of the first frame and of the changes to each next one: all low bytes of a frame, then all high ones, which are
-    mostly zeros."""
+    """Bytes of the first frame and of the changes to each next one: all low bytes of a frame, then all high ones, which
+    are mostly zeros."""
     flat = _difference(whole, np.uint16).reshape(len(whole), -1)
     return np.concatenate([(flat & 255).astype(np.uint8), (flat >> 8).astype(np.uint8)], axis=1)

@@ -8,11 +8,12 @@ from percuss.terminal import fail as end
 
 NEEDS = ("numpy", "h5py", "matplotlib")
 EPILOG = """\
-The page is one HTML file that needs no network. It shows the surface over time: turn, zoom, play, fields to choose from, deformation scaled,
-the start as an outline, the deck's symmetry mirrored, rigid walls, a plane that cuts, arrows of vectors, parts to hide, the largest value
-and the value under the pointer (to one 254th of the bar). The key h lists the keys.
-A surface that is too large has fewer arrows, no inside of solids, fewer frames, only parts that move, fewer elements, in this order; page
-and command say so. Without WebGL the page draws plain pictures.
+The page is one HTML file that needs no network. It shows the surface over time: turn, zoom, play, fields to choose
+from, deformation scaled, the start as an outline, the deck's symmetry mirrored, rigid walls, a plane that cuts, arrows
+of vectors, parts to hide, the largest value and the value under the pointer (to one 254th of the bar).
+The key h lists the keys.
+A surface that is too large has fewer arrows, no inside of solids, fewer frames, only parts that move, fewer elements,
+in this order; page and command say so. Without WebGL the page draws plain pictures.
 
 examples:
   percuss view ball                                       writes ball/view.html
@@ -33,8 +34,10 @@ def parse_arguments(words):
     add("--from", dest="fields", metavar="NAME", help="of this entry of output.field_outputs (default: output.fields)")
     add("--field", metavar="NAMES", help="fields to choose from, with commas between them (default: all, six at most)")
     add("--part", metavar="NAME", action="append", help="these parts only; several times, or NAME,NAME")
-    add("--units", metavar="SYSTEM", help="convert to a system of units, such as 'mm, kg, ms' (default: that of the deck)")
-    add("-f", "--force", action="store_true", help="write over a file that percuss view has not written; never over results of a run")
+    add("--units", metavar="SYSTEM",
+        help="convert to a system of units, such as 'mm, kg, ms' (default: that of the deck)")
+    add("-f", "--force", action="store_true",
+        help="write over a file that percuss view has not written; never over results of a run")
     return parser.parse_args(words)
 
 

@@ -14,8 +14,8 @@ MOST_FORCES = 4  # of output.history.forces
 
 
 def make_sparkline(values, width, bars=BARS):
-    """One sign for each of at most `width` runs of rows: their value farthest from zero, between the least and the largest
-    such value."""
+    """One sign for each of at most `width` runs of rows: their value farthest from zero, between the least and the
+    largest such value."""
     finite = [value for value in values if math.isfinite(value)]
     if not finite:
         return ""
@@ -66,7 +66,8 @@ def name_limit(run, rows):
         return f"spring '{names[spring - 1]}' limits the step"
     if spring < 0:  # one of an entry with too many for columns of their own
         entries = list(run.deck.get_map("springs"))
-        return f"a spring of '{entries[-1 - spring]}' limits the step" if -spring <= len(entries) else "a spring limits the step"
+        return (f"a spring of '{entries[-1 - spring]}' limits the step" if -spring <= len(entries)
+                else "a spring limits the step")
     element = rows.last("dt_element")
     if element == 0:
         return "the approach of bodies limits the step"
