@@ -25,7 +25,8 @@ def main(words: list[str]) -> int | None:
         print(USAGE, file=sys.stdout if asks else sys.stderr)
         return 0 if asks else 2
     try:
-        return load_tool(words[0]).main(words[1:])
+        code: int | None = load_tool(words[0]).main(words[1:])
+        return code
     except MissingLibrary as error:
         names = {"import": "percuss import", "preview": "percuss check --report", "tables": "info"}
         fail(names.get(words[0], words[0]), error)

@@ -7,6 +7,7 @@ import shlex
 import subprocess
 import sys
 import tempfile
+from typing import NoReturn
 
 from percuss.terminal import fail as end
 from percuss.terminal import print_text
@@ -46,7 +47,7 @@ def parse_arguments(words: list[str]) -> argparse.Namespace:
     return parser.parse_args(words)
 
 
-def fail(message: object, code: int = 2) -> None:
+def fail(message: object, code: int = 2) -> NoReturn:
     end("percuss build-law", message, code)
 
 

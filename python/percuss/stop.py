@@ -3,6 +3,8 @@
 import argparse
 import os
 import time
+from collections.abc import Callable
+from typing import NoReturn
 
 from percuss.files import FRAME_ENDINGS
 from percuss.terminal import fail as end
@@ -27,7 +29,7 @@ Needs Python 3 alone.
 """
 
 
-def parse_arguments(words):
+def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="percuss stop", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Asks an active run to stop with a checkpoint, or for a frame or a checkpoint.")
@@ -41,7 +43,7 @@ def parse_arguments(words):
     return parser.parse_args(words)
 
 
-def ask(folder, name):
+def ask(folder: str, name: str) -> str:
     """Makes the file of a request; its path."""
     path = os.path.join(folder, name)
     try:
@@ -52,7 +54,7 @@ def ask(folder, name):
         fail(f"cannot write {path} ({error.strerror})", 4)
 
 
-def wait(folder, path, seconds, is_active):
+def wait(folder: str, path: str, seconds: float, is_active: Callable[[str], bool]) -> bool:
     """Whether the run takes the request; fails if it ends before."""
     end = time.monotonic() + seconds
     while os.path.exists(path):
@@ -65,15 +67,15 @@ def wait(folder, path, seconds, is_active):
     return True
 
 
-def is_fields_file(name):
+def is_fields_file(name: str) -> bool:
     """Whether a run writes frames into a file of this name: fields.vtkhdf, fields_NAME.exo."""
     stem, ending = os.path.splitext(name)
     return ending in FRAME_ENDINGS and (stem == "fields" or stem.startswith("fields_"))
 
 
-def describe_frame(folder):
+def describe_frame(folder: str) -> str:
     """What a run writes that is asked for a frame, by the files that it has."""
-    def has(name):
+    def has(name: str) -> bool:
         return os.path.exists(os.path.join(folder, name))
 
     if any(is_fields_file(name) for name in os.listdir(folder)):
@@ -85,11 +87,11 @@ def describe_frame(folder):
             else f"no frame {why}")
 
 
-def fail(message, code=2):
+def fail(message: object, code: int = 2) -> NoReturn:
     end("stop", message, code)
 
 
-def main(words):
+def main(words: list[str]) -> None:
     arguments = parse_arguments(words)
     from percuss.results.lock import is_active
 
@@ -107,6 +109,6 @@ def main(words):
         print(f"stop: {' and '.join(paths)} stay there for the run")
         return
     if not arguments.no_wait:
-        words = {"frame": describe_frame(folder), "checkpoint": "a checkpoint"}
+        what = {"frame": describe_frame(folder), "checkpoint": "a checkpoint"}
         print(f"stop: the run in {folder} "
-              f"{'stops' if names == ['stop'] else 'writes ' + ' and '.join(words[name] for name in names)}")
+              f"{'stops' if names == ['stop'] else 'writes ' + ' and '.join(what[name] for name in names)}")

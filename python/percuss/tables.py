@@ -2,6 +2,7 @@
 
 import argparse
 import os
+from typing import NoReturn
 
 from percuss.libraries import require
 from percuss.terminal import fail as end
@@ -23,7 +24,7 @@ Exit codes: 0 done; 2 a folder or an option is wrong, or a library is missing. N
 """
 
 
-def parse_arguments(words):
+def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="percuss info", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Prints tables of the history of a run.")
@@ -36,11 +37,11 @@ def parse_arguments(words):
     return parser.parse_args(words)
 
 
-def fail(message):
+def fail(message: object) -> NoReturn:
     end("info", message)
 
 
-def main(words):
+def main(words: list[str]) -> None:
     arguments = parse_arguments(words)
     require("tables need", NEEDS)
     from percuss import NotResults, Run

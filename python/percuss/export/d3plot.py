@@ -4,10 +4,17 @@ Source of the layout: LS-DYNA Database, Binary Output Files (Livermore Software 
 Words have four bytes, little-endian; text has four characters a word. The file d3plot holds control words, geometry,
 numbers and names of parts; d3plot01, d3plot02 ... hold states. Each ends with the word -999999.0."""
 
+from collections.abc import Iterator
+from typing import Any
+
 import numpy as np
+
+from percuss.results.arrays import Array
+from percuss.results.history import History
 
 from ..files import make_mark
 from ..results.expressions import clip
+from .selection import Selection
 
 END = np.array([-999999.0], "<f4").tobytes()
 LARGEST_FILE = 1 << 30  # bytes, of one file of states; a state is never cut
@@ -26,12 +33,12 @@ PLACES = ("displacement", "velocity", "stress", "stress_bottom", "stress_top", "
           "alive", "section_force", "section_moment")
 
 
-def list_left_out(selection):
+def list_left_out(selection: Selection) -> list[str]:
     """Fields that the format has no place for."""
     return [name for name in selection.names if name not in PLACES]
 
 
-def list_zeros(selection):
+def list_zeros(selection: Selection) -> list[str]:
     """What the format always has, and the run did not write."""
     return [name for name in ("velocity", "stress", "equivalent_plastic_strain") if name not in selection.names]
 
@@ -39,7 +46,7 @@ def list_zeros(selection):
 class Database:
     """The files of a selection. history: for energies; None where there is none."""
 
-    def __init__(self, selection, history=None):
+    def __init__(self, selection: Selection, history: History | None = None) -> None:
         self.selection, self.history = selection, history
         fields = self.fields = selection.fields
         ids, self.are_renumbered = _make_ids(fields.node_ids)
@@ -58,7 +65,7 @@ class Database:
         self.parts = len(fields.part_names)
         self.has_thickness = "thickness" in selection.names and len(self.elements[SHELLS]) > 0
 
-    def write_geometry(self):
+    def write_geometry(self) -> bytes:
         """Bytes of the file d3plot."""
         pieces = [self._write_control(), _floats(self.fields.positions(0)[self.nodes])]
         pieces += [self._write_corners(kind) for kind in (SOLIDS, BEAMS, SHELLS)]
@@ -68,9 +75,9 @@ class Database:
         # VTK's reader takes the names of parts for the first list
         return b"".join([*pieces, _integers([90000]), _text(make_mark("export"), TITLE_WORDS), END])
 
-    def write_states(self):
+    def write_states(self) -> Iterator[tuple[str, bytes]]:
         """(name of a file, its bytes), one after the other."""
-        number, pieces, size = 1, [], 0
+        number, pieces, size = 1, list[bytes](), 0
         for frame in self.selection.frames:
             state = self._write_state(frame)
             if pieces and size + len(state) > LARGEST_FILE:
@@ -80,12 +87,12 @@ class Database:
             size += len(state)
         yield f"d3plot{number:02}", b"".join([*pieces, END])
 
-    def _count_words(self, kind):
+    def _count_words(self, kind: str) -> int:
         if kind == SOLIDS:
             return 7
         return 6 if kind == BEAMS else LAYERS * 7 + 4 * self.has_thickness
 
-    def _write_control(self):
+    def _write_control(self) -> bytes:
         """64 words. 1000 says that a quantity is there, 999 that it is not."""
         words = np.zeros(64, "<i4")
         words[:10] = np.frombuffer(_text(self.selection.title, 10), "<i4")
@@ -106,7 +113,7 @@ class Database:
         words[51] = self.parts
         return words.tobytes()
 
-    def _write_corners(self, kind):
+    def _write_corners(self, kind: str) -> bytes:
         elements, kinds = self.elements[kind], self.fields.kinds
         width = {SOLIDS: 9, BEAMS: 6, SHELLS: 5}[kind]
         rows = np.zeros((len(elements), width), "<i4")
@@ -122,10 +129,10 @@ class Database:
         rows[:, -1] = self.fields.part[elements] + 1
         return rows.tobytes()
 
-    def _count_numbers(self):
+    def _count_numbers(self) -> int:
         return 16 + self.fields.nodes + self.fields.elements + 3 * self.parts
 
-    def _write_numbers(self):
+    def _write_numbers(self) -> bytes:
         """Ids of nodes, elements and parts; a negative first word says that parts have ids, too."""
         counts = [self.fields.nodes, *(len(self.elements[kind]) for kind in (SOLIDS, BEAMS, SHELLS)), 0]
         starts = np.cumsum([1, *counts])
@@ -137,7 +144,7 @@ class Database:
 
     # --- states -------------------------------------------------------------------------------------------------------
 
-    def _write_state(self, frame):
+    def _write_state(self, frame: int) -> bytes:
         pieces = [_floats(self._find_globals(frame)), _floats(self.fields.positions(frame)[self.nodes]),
                   _floats(self._read("velocity", frame, 3)[self.nodes])]
         stress, strain = self._read("stress", frame, 6), self._read("equivalent_plastic_strain", frame, 1)
@@ -156,13 +163,13 @@ class Database:
                    for chosen in (solids, shells, beams)]
         return b"".join(pieces)
 
-    def _read(self, name, frame, width):
+    def _read(self, name: str, frame: int, width: int) -> Array:
         if name not in self.selection.names:
             count = self.fields.nodes if name == "velocity" else self.fields.elements
             return np.zeros((count, width))
         return np.asarray(self.selection.data(name, frame), dtype=float).reshape(-1, width)
 
-    def _find_globals(self, frame):
+    def _find_globals(self, frame: int) -> list[float]:
         """Time; kinetic, internal and total energy, mean velocity (not known: 0); the same two energies of each part,
         then its velocity, mass and hourglass energy."""
         time = float(self.fields.times[frame])
@@ -174,12 +181,12 @@ class Database:
         return [time, kinetic, internal, kinetic + internal, 0, 0, 0,
                 *(value for values in (*by_part, *rest) for value in values)]
 
-    def _at(self, time, column):
+    def _at(self, time: float, column: str) -> float:
         return (self.history.at(time, column)
                 if self.history is not None and column in self.history and len(self.history) else 0.0)
 
 
-def describe(database):
+def describe(database: Database) -> list[str]:
     """What the user should know about the files, a text each."""
     left_out = []
     if left := list_left_out(database.selection):
@@ -199,7 +206,7 @@ def describe(database):
     return left_out
 
 
-def _make_ids(ids):
+def _make_ids(ids: Array) -> tuple[Array, bool]:
     """The ids of the mesh where a file can have them, else numbers from 1; and whether they are new."""
     ids = np.asarray(ids, dtype=np.int64)
     if len(ids) and (ids.min() < 1 or ids.max() > MOST_ID or len(np.unique(ids)) < len(ids)):
@@ -207,13 +214,13 @@ def _make_ids(ids):
     return ids, False
 
 
-def _integers(values):
+def _integers(values: Any) -> bytes:
     return np.asarray(values, dtype="<i4").tobytes()
 
 
-def _floats(values):
+def _floats(values: Any) -> bytes:
     return np.asarray(values, dtype="<f4").tobytes()
 
 
-def _text(text, words):
+def _text(text: str, words: int) -> bytes:
     return text.encode("ascii", "replace")[: 4 * words].ljust(4 * words)

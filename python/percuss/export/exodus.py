@@ -2,11 +2,16 @@
 II manual (Sandia report SAND92-2137)."""
 
 import io
+from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 
+from percuss.results.arrays import Array
+from percuss.results.fields import Fields
+
 from ..files import make_mark
-from .selection import name_components
+from .selection import Selection, name_components
 
 BLOCKS = {12: ("HEX8", (0, 1, 2, 3, 4, 5, 6, 7)), 13: ("WEDGE6", (0, 2, 1, 3, 5, 4)), 14: ("PYRAMID5", (0, 1, 2, 3, 4)),
           10: ("TETRA4", (0, 1, 2, 3)), 9: ("SHELL4", (0, 1, 2, 3)), 5: ("SHELL3", (0, 1, 2)), 3: ("BEAM2", (0, 1))}
@@ -16,12 +21,12 @@ NAME = 128  # characters of a name, its end included
 class _Block:
     """Elements of one part and one kind."""
 
-    def __init__(self, number, name, kind, elements):
+    def __init__(self, number: int, name: str, kind: int, elements: Array) -> None:
         self.number, self.name, self.kind, self.elements = number, name, kind, elements
 
 
-def _list_blocks(fields):
-    found = []
+def _list_blocks(fields: Fields) -> list[_Block]:
+    found: list[_Block] = []
     for part, name in enumerate(fields.part_names):
         kinds = np.unique(fields.kinds[fields.part == part])
         for kind in kinds:
@@ -31,7 +36,7 @@ def _list_blocks(fields):
     return found
 
 
-def write_exodus(selection):
+def write_exodus(selection: Selection) -> bytes:
     """Bytes of the file."""
     from scipy.io import netcdf_file
 
@@ -50,19 +55,19 @@ def write_exodus(selection):
     return stream.getvalue()
 
 
-def _add(file, name, kind, dimensions, values):
+def _add(file: Any, name: str, kind: str, dimensions: tuple[str, ...], values: Any) -> Any:
     variable = file.createVariable(name, kind, dimensions)
     variable[:] = values
     return variable
 
 
-def _names(words):
+def _names(words: Iterable[str]) -> Array:
     """Texts as rows of characters."""
     return np.array([list(word.encode("ascii", "replace")[: NAME - 1].ljust(NAME, b"\0")) for word in words],
                     dtype="u1").view("S1")
 
 
-def _add_mesh(file, fields, blocks):
+def _add_mesh(file: Any, fields: Fields, blocks: list[_Block]) -> None:
     for axis, values in zip("xyz", fields.positions(0).T):
         _add(file, f"coord{axis}", "d", ("num_nodes",), values)
     _add(file, "coor_names", "c", ("num_dim", "len_name"), _names("xyz"))
@@ -82,7 +87,7 @@ def _add_mesh(file, fields, blocks):
         _add(file, f"connect{block.number}", "i", size, nodes).elem_type = kind
 
 
-def _list_components(selection, place):
+def _list_components(selection: Selection, place: str) -> list[tuple[str, str, int]]:
     """[(name of a variable, field, component)]"""
     found = []
     for name, where in selection.names.items():
@@ -93,7 +98,7 @@ def _list_components(selection, place):
     return found
 
 
-def _add_variables(file, selection, blocks):
+def _add_variables(file: Any, selection: Selection, blocks: list[_Block]) -> None:
     of_nodes, of_elements = (_list_components(selection, place) for place in ("node", "element"))
     times = file.createVariable("time_whole", "d", ("time_step",))
     for place, variables in (("nod", of_nodes), ("elem", of_elements)):

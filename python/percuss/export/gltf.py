@@ -1,12 +1,17 @@
 """glTF 2.0 (.glb): the surface of each part with its name, moving by morph targets, coloured by a field or by part."""
 
 import json
+from typing import Any
 
 import numpy as np
 
 from percuss.files import make_mark
 from percuss.render.colors import MAPS, part_color, rgb
 from percuss.render.skin import exterior_faces
+from percuss.results.arrays import Array
+from percuss.results.fields import Fields
+
+from .selection import Selection
 
 SECONDS = 5.0  # that the animation takes, whatever the time of the run
 GAMMA = 2.2  # glTF takes linear colours
@@ -14,10 +19,11 @@ FLOAT, WHOLE = 5126, 5125  # component types of glTF
 
 
 class _Buffer:
-    def __init__(self):
-        self.pieces, self.size, self.views, self.accessors = [], 0, [], []
+    def __init__(self) -> None:
+        self.size, self.pieces = 0, list[bytes]()
+        self.views, self.accessors = list[dict[str, Any]](), list[dict[str, Any]]()
 
-    def add(self, values, kind, bounds=False):
+    def add(self, values: Array, kind: str, bounds: bool = False) -> int:
         """The number of a new accessor."""
         values = np.ascontiguousarray(values, dtype="<u4" if kind == "INDEX" else "<f4")
         data = values.tobytes()
@@ -33,7 +39,7 @@ class _Buffer:
         return len(self.accessors) - 1
 
 
-def write_glb(selection, field=None):
+def write_glb(selection: Selection, field: str | None = None) -> bytes:
     """Bytes of the file. field: what colours show, in the last frame; None for a colour for each part. Only elements
     that are active in the last frame are shown. Lengths are in metres where the deck has units."""
     fields, frames = selection.fields, selection.frames
@@ -49,26 +55,26 @@ def write_glb(selection, field=None):
         used, places = np.unique(corners, return_inverse=True)
         places = places.reshape(-1, 4)
         triangles = np.concatenate([places[:, [0, 1, 2]], places[:, [0, 2, 3]][places[:, 2] != places[:, 3]]])
-        primitive = {"attributes": {"POSITION": buffer.add(positions[0][used], "VEC3", True)},
+        primitive: dict[str, Any] = {"attributes": {"POSITION": buffer.add(positions[0][used], "VEC3", True)},
                      "indices": buffer.add(triangles.reshape(-1), "INDEX"), "material": 0 if field else part}
         if colors is not None:
             primitive["attributes"]["COLOR_0"] = buffer.add(colors[used], "VEC3")
         primitive["targets"] = [{"POSITION": buffer.add(moved[used] - positions[0][used], "VEC3", True)}
                                 for moved in positions[1:]]
-        meshes.append({"name": name, "primitives": [primitive],
-                       **({"weights": [0.0] * (len(frames) - 1)} if len(frames) > 1 else {})})
+        weights: dict[str, Any] = {"weights": [0.0] * (len(frames) - 1)} if len(frames) > 1 else {}
+        meshes.append({"name": name, "primitives": [primitive], **weights})
         nodes.append({"name": name, "mesh": len(meshes) - 1})
     return _pack(_describe(fields, field, frames, meshes, nodes, buffer), buffer)
 
 
-def _find_scale(fields):
+def _find_scale(fields: Fields) -> float:
     from percuss.results.units import find_units
 
     units = find_units(fields.units)
     return units.length[1] if units else 1.0
 
 
-def _color_nodes(fields, field, frame):
+def _color_nodes(fields: Fields, field: str, frame: int) -> Array:
     """[nodes][3] linear red, green, blue; of element fields the mean of the active elements around each node."""
     values = np.asarray(fields.values(field, frame), dtype=float)
     if fields.names()[field] == "element":
@@ -84,7 +90,8 @@ def _color_nodes(fields, field, frame):
     return np.column_stack([np.interp(share, np.linspace(0, 1, len(stops)), stop) for stop in stops.T])
 
 
-def _describe(fields, field, frames, meshes, nodes, buffer):
+def _describe(fields: Fields, field: str | None, frames: list[int], meshes: list[dict[str, Any]],
+              nodes: list[dict[str, Any]], buffer: _Buffer) -> dict[str, Any]:
     shades = ([[1.0] * 3] if field
               else [[channel**GAMMA for channel in part_color(part)] for part in range(len(fields.part_names))])
     document = {"asset": {"version": "2.0", "generator": make_mark("export")}, "scene": 0,
@@ -103,7 +110,7 @@ def _describe(fields, field, frames, meshes, nodes, buffer):
     return document
 
 
-def _pack(document, buffer):
+def _pack(document: dict[str, Any], buffer: _Buffer) -> bytes:
     text = json.dumps(document, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 4)
     data = b"".join(buffer.pieces)

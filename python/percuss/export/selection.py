@@ -1,5 +1,8 @@
 """Which frames and fields are written."""
 
+from percuss.results.arrays import Array
+from percuss.results.fields import Fields
+
 from ..errors import NotResults
 from ..nearest import suggest
 
@@ -11,7 +14,7 @@ class Selection:
     """Attributes: fields (a Fields), frames (numbers), names {field:
     'node' or 'element'}, of those that were chosen."""
 
-    def __init__(self, fields, frames="all", names=None):
+    def __init__(self, fields: Fields, frames: str = "all", names: list[str] | None = None) -> None:
         self.fields = fields
         self.frames = parse_frames(frames, len(fields.times))
         known = {name: place for name, place in fields.names().items() if name != "part"}  # every file has the part
@@ -22,18 +25,18 @@ class Selection:
         self.names = {name: known[name] for name in (names or known)}
 
     @property
-    def title(self):
+    def title(self) -> str:
         return self.fields.title or "percuss"
 
-    def data(self, name, frame):
+    def data(self, name: str, frame: int) -> Array:
         return self.fields.data(name, frame)
 
 
-def parse_frames(text, count):
+def parse_frames(text: str, count: int) -> list[int]:
     """Numbers of 'all', '0,5,-1' and '0..20:5' (from, to, each fifth), ascending."""
     if text == "all":
         return list(range(count))
-    found = set()
+    found: set[int] = set()
     for word in text.split(","):
         try:
             first, dots, rest = word.partition("..")
@@ -48,13 +51,13 @@ def parse_frames(text, count):
     return sorted(found)
 
 
-def _find_frame(number, count):
+def _find_frame(number: int, count: int) -> int:
     if not -count <= number < count:
         raise ValueError
     return number % count
 
 
-def name_components(name, width):
+def name_components(name: str, width: int) -> list[str]:
     """['velocity_x', ...]; the name itself of a number."""
     endings = {1: ("",), 3: VECTOR, 6: TENSOR}.get(width) or range(width)
     return [f"{name}_{ending}" if ending != "" else name for ending in endings]

@@ -2,14 +2,18 @@
 
 import csv
 import io
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
+from percuss.results.fields import Fields
+
 from ..files import make_mark
-from .selection import name_components
+from .selection import Selection, name_components
 
 
-def write_tables(selection, frame):
+def write_tables(selection: Selection, frame: int) -> dict[str, str]:
     """{'nodes': text, 'elements': text}. Headings have units in brackets."""
     fields = selection.fields
     heads = {"node": ["node_id", *_name_positions(fields)], "element": ["element_id", "part"]}
@@ -26,12 +30,12 @@ def write_tables(selection, frame):
             "elements": time + _write(heads["element"], columns["element"])}
 
 
-def _name_positions(fields):
+def _name_positions(fields: Fields) -> list[str]:
     unit = fields.unit_of("displacement") if "displacement" in fields.names() else ""
     return [f"{axis} [{unit}]" if unit else axis for axis in "xyz"]
 
 
-def _write(heading, columns):
+def _write(heading: Sequence[str], columns: list[Any]) -> str:
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
     writer.writerow(heading)

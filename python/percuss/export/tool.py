@@ -1,16 +1,25 @@
 """Writes fields of a percuss run in formats of other programs. percuss export --help says how."""
 
+from __future__ import annotations
+
 import argparse
 import os
 import re
 import sys
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, NoReturn
 
 from percuss.libraries import require
 from percuss.terminal import fail as end
 
+if TYPE_CHECKING:
+    from percuss.export.selection import Selection
+    from percuss.results.run import Run
+
 FORMATS = ("vtu", "pvd", "exodus", "d3plot", "csv", "gltf")
 NEEDS = ("numpy", "h5py")
 WISHES = ("scipy",)  # of the format exodus
+Files = Iterator[tuple[str, str | bytes]]  # their names and contents
 EPILOG = """\
 formats, written into DIR/export or the folder of --out:
   vtu      a file of VTK for each frame (ParaView, VisIt, PyVista)
@@ -33,7 +42,7 @@ scripts/install_dependencies --report installs them. See docs/export.md.
 """
 
 
-def parse_arguments(words):
+def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="percuss export", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Writes the fields of a run in formats of other programs.")
@@ -50,7 +59,7 @@ def parse_arguments(words):
     return parser.parse_args(join_frames(words))
 
 
-def join_frames(words):
+def join_frames(words: list[str]) -> list[str]:
     """argparse takes -1 for an option."""
     joined = list(words)
     for place in range(len(joined) - 2, -1, -1):
@@ -59,17 +68,17 @@ def join_frames(words):
     return joined
 
 
-def fail(message, code=2):
+def fail(message: object, code: int = 2) -> NoReturn:
     end("export", message, code)
 
 
-def note(text):
+def note(text: str) -> None:
     from percuss.terminal import print_text
 
     print_text(f"export: {text}", sys.stderr)
 
 
-def list_vtu(selection, stem, with_list):
+def list_vtu(selection: Selection, stem: str, with_list: bool) -> Files:
     from percuss.export.vtk import write_pvd, write_vtu
 
     names = [f"{stem}_{frame:04}.vtu" for frame in selection.frames]
@@ -79,7 +88,7 @@ def list_vtu(selection, stem, with_list):
         yield f"{stem}.pvd", write_pvd([float(selection.fields.times[frame]) for frame in selection.frames], names)
 
 
-def list_tables(selection, stem):
+def list_tables(selection: Selection, stem: str) -> Files:
     from percuss.export.tables import write_tables
 
     for frame in selection.frames:
@@ -87,7 +96,7 @@ def list_tables(selection, stem):
             yield f"{stem}_{what}_{frame:04}.csv", text
 
 
-def list_d3plot(selection, run):
+def list_d3plot(selection: Selection, run: Run) -> Files:
     from percuss.export.d3plot import Database, describe
 
     database = Database(selection, run.history if run.has_history else None)
@@ -97,7 +106,7 @@ def list_d3plot(selection, run):
     yield from database.write_states()
 
 
-def list_gltf(selection, stem, names):
+def list_gltf(selection: Selection, stem: str, names: list[str] | None) -> Files:
     from percuss.export.gltf import write_glb
 
     if names and len(names) > 1:
@@ -108,7 +117,7 @@ def list_gltf(selection, stem, names):
     yield f"{stem}.glb", write_glb(selection, names[0] if names else None)
 
 
-def list_files(arguments, selection, run, names):
+def list_files(arguments: argparse.Namespace, selection: Selection, run: Run, names: list[str] | None) -> Files:
     """(name, content) of the files, one after the other."""
     stem = f"fields_{arguments.source}" if arguments.source else "fields"
     if arguments.format in ("vtu", "pvd"):
@@ -124,7 +133,7 @@ def list_files(arguments, selection, run, names):
     return iter([(f"{stem}.e", write_exodus(selection))])
 
 
-def remove_earlier_states(folder, force):
+def remove_earlier_states(folder: str, force: bool) -> bool:
     """Of an earlier d3plot of this tool: readers would take what is left for later states.
     Whether files of the family may be replaced."""
     from percuss.files import check_target
@@ -140,7 +149,7 @@ def remove_earlier_states(folder, force):
     return True
 
 
-def export(arguments):
+def export(arguments: argparse.Namespace) -> None:
     import percuss
     from percuss.export.selection import Selection
     from percuss.files import write_file
@@ -163,7 +172,7 @@ def export(arguments):
                f"({len(selection.frames)} frame{'s' * (len(selection.frames) > 1)}, {size / 1e6:.2g} MB)")
 
 
-def main(words):
+def main(words: list[str]) -> None:
     arguments = parse_arguments(words)
     require("exports need", (*NEEDS, *(WISHES if arguments.format == "exodus" else ())))
     import percuss

@@ -1,14 +1,17 @@
 """VTK's XML files: a .vtu for each frame, and a .pvd that lists them with their times. Data are appended, raw."""
 
+from typing import Any
+
 import numpy as np
 
 from ..files import make_mark
+from .selection import Selection
 
 _TYPES = {"f4": "Float32", "f8": "Float64", "i4": "Int32", "i8": "Int64", "u1": "UInt8"}
 _CORNERS = {12: 8, 13: 6, 14: 5, 10: 4, 9: 4, 5: 3, 3: 2}
 
 
-def escape(text):
+def escape(text: str) -> str:
     for character, word in (("&", "&amp;"), ("<", "&lt;"), (">", "&gt;"), ('"', "&quot;")):
         text = text.replace(character, word)
     return text
@@ -17,10 +20,10 @@ def escape(text):
 class _Arrays:
     """Arrays at the end of a file: a header of eight bytes with the size, then the data."""
 
-    def __init__(self):
-        self.pieces, self.size = [], 0
+    def __init__(self) -> None:
+        self.pieces, self.size = list[bytes](), 0
 
-    def add(self, name, values, components=1):
+    def add(self, name: str, values: Any, components: int = 1) -> str:
         values = np.ascontiguousarray(values)
         values = values.astype("<" + values.dtype.str[1:])
         data = values.tobytes()
@@ -31,7 +34,7 @@ class _Arrays:
         return element
 
 
-def write_vtu(selection, frame):
+def write_vtu(selection: Selection, frame: int) -> bytes:
     """Bytes of a .vtu file. Tensors have VTK's six components, in the order xx, yy, zz, xy, yz, xz of fields.vtkhdf."""
     fields, arrays = selection.fields, _Arrays()
     points = arrays.add("Points", fields.positions(frame), 3)
@@ -58,7 +61,7 @@ def write_vtu(selection, frame):
     return b"".join([head.encode(), *arrays.pieces, b"\n</AppendedData>\n</VTKFile>\n"])
 
 
-def write_pvd(times, files):
+def write_pvd(times: list[float], files: list[str]) -> str:
     rows = "".join(f'<DataSet timestep="{float(time)!r}" file="{escape(file)}"/>\n' for time, file in zip(times, files))
     return (f'<?xml version="1.0"?>\n<!-- {make_mark("export")} -->\n<VTKFile type="Collection" version="0.1" '
             'byte_order="LittleEndian">\n'

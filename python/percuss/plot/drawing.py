@@ -3,6 +3,7 @@
 import io
 import math
 import os
+from typing import Any
 
 import numpy as np
 from matplotlib import rc_context
@@ -13,10 +14,13 @@ from matplotlib.ticker import MaxNLocator, ScalarFormatter
 
 from percuss.files import make_mark, write_file
 from percuss.results.extremes import find_size
+from percuss.results.history import History
+from percuss.results.run import Run
 from percuss.results.units import choose_time_unit, choose_unit
 
+from .measured import Measured
 from .panels import Panel
-from .series import find_controlling_parts, make_curve, thin
+from .series import Options, find_controlling_parts, make_curve, thin
 
 COLORS = ("#1f6fb2", "#d1495b", "#3a8f4d", "#b3701f", "#7b5ea7", "#2a9d9d", "#8a5a44", "#c05fa0", "#6b7280", "#a3a300",
           "#444444", "#0f4c5c")  # those of curves; told apart by colour-blind readers together with the styles of runs
@@ -34,7 +38,7 @@ SETTINGS = {"font.family": ["DejaVu Sans", "sans-serif"], "font.size": 9, "axes.
             "axes.spines.right": False, "legend.frameon": False, "path.simplify": True}
 
 
-def _coincide(history, one, other):
+def _coincide(history: History, one: str, other: str) -> bool:
     """Whether two columns have the same values but for round-off, and are not zero."""
     if one not in history or other not in history:
         return one not in history and other not in history
@@ -43,13 +47,16 @@ def _coincide(history, one, other):
     return size > 0 and bool(np.all(np.abs(a - b) <= SAME_CURVE * size))
 
 
+Drawn = tuple[str, Run, History]  # label, run, history in the units that are wanted
+
+
 class Plot:
     """Runs over each other. runs: [(label, run, history in the units that are wanted)]."""
 
-    def __init__(self, runs, options):
+    def __init__(self, runs: list[Drawn], options: Options) -> None:
         self.runs, self.options = runs, options
         history = runs[0][2]
-        self.test = None  # a measured curve (measured.py), in the units of the histories
+        self.test: Measured | None = None  # a measured curve (measured.py), in the units of the histories
         if options.x == "time":
             ends = [h["time"][-1] for _, _, h in runs if len(h)]
             self.x_unit, self.x_factor = choose_time_unit(history.unit("time"), min(max(ends, default=0), options.end))
@@ -59,7 +66,7 @@ class Plot:
             self.x_unit, self.x_factor = ((unit, 1.0) if history.has_given_unit(options.x)
                                           else choose_unit(unit, largest))
 
-    def draw_all(self, panels, size, title=""):
+    def draw_all(self, panels: list[Panel], size: tuple[float, float] | None, title: str = "") -> Any:
         """One figure of all panels, in two columns where there are more than two.
         size: (width, height) in inches or None."""
         columns = 1 if len(panels) <= 2 else 2
@@ -72,18 +79,18 @@ class Plot:
                 figure.suptitle(title, fontsize=12, x=0.01, ha="left")
         return figure
 
-    def draw_one(self, panel, size=(6.4, 3.0)):
+    def draw_one(self, panel: Panel, size: tuple[float, float] = (6.4, 3.0)) -> Any:
         with rc_context(SETTINGS):
             figure = self._make_figure(size)
             self._draw(figure.add_subplot(1, 1, 1), panel)
         return figure
 
-    def _make_figure(self, size):
+    def _make_figure(self, size: tuple[float, float]) -> Any:
         figure = Figure(figsize=size, constrained_layout=True)
         FigureCanvasAgg(figure)
         return figure
 
-    def _draw(self, axes, panel: Panel):
+    def _draw(self, axes: Any, panel: Panel) -> None:
         unit, factor = self._choose_unit(panel)
         hidden = self._find_copies(panel)
         several = len(self.runs) > 1
@@ -103,7 +110,7 @@ class Plot:
         self._add_legend(axes, panel, hidden)
         self._finish(axes, panel, unit)
 
-    def _find_copies(self, panel):
+    def _find_copies(self, panel: Panel) -> dict[str, str]:
         """{column: an earlier one of the panel that has the same curve in every run}: it is drawn once."""
         copies = {}
         for place, name in enumerate(panel.columns):
@@ -113,7 +120,7 @@ class Plot:
                     break
         return copies
 
-    def _add_legend(self, axes, panel, hidden):
+    def _add_legend(self, axes: Any, panel: Panel, hidden: dict[str, str]) -> None:
         """Columns by their colours and runs by their styles: not a line for each pair of them.
         Curves that coincide have one line."""
         entries = list(axes.get_legend_handles_labels()[0])
@@ -132,7 +139,7 @@ class Plot:
         if entries:
             axes.legend(handles=entries, loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8, handlelength=2.2)
 
-    def _choose_unit(self, panel):
+    def _choose_unit(self, panel: Panel) -> tuple[str, float]:
         """The unit of a panel, and its factor; 'J, N' where columns of several are drawn over each other."""
         units, largest = set(), 0.0
         for _, _, history in self.runs:
@@ -150,7 +157,7 @@ class Plot:
         return (choose_unit(units.pop(), largest) if len(units) == 1 and not is_given
                 else (", ".join(sorted(u or "-" for u in units)), 1.0))
 
-    def _color_by_part(self, axes, run, history, factor):
+    def _color_by_part(self, axes: Any, run: Run, history: History, factor: float) -> None:
         """Dots on the curve of the step, in the colour of the part whose element controls it."""
         found = find_controlling_parts(run, history)
         if found is None:
@@ -165,7 +172,7 @@ class Plot:
                       color=COLORS[(part + 1) % len(COLORS)] if part >= 0 else GRID,
                       label=f"controlled by {names[part]}" if part >= 0 else "controlling element not known")
 
-    def _finish(self, axes, panel, unit):
+    def _finish(self, axes: Any, panel: Panel, unit: str) -> None:
         history = next((h for _, _, h in self.runs if panel.columns[0] in h), self.runs[0][2])
         single = len(panel.columns) == 1
         meaning = history.label(panel.columns[0])
@@ -185,7 +192,7 @@ class Plot:
         self._mark_warnings(axes)
 
     @staticmethod
-    def _widen_constants(axes):
+    def _widen_constants(axes: Any) -> None:
         """Curves that are constant but for round-off are drawn flat, not as noise with an offset at the axis."""
         ends = [(values.min(), values.max()) for line in axes.get_lines()
                 if len(values := np.asarray(line.get_ydata(), dtype=float)) and np.isfinite(values).all()]
@@ -196,12 +203,12 @@ class Plot:
         if size > 0 and high - low < ROUND_OFF * size:
             axes.set_ylim(low - FLAT_MARGIN * size, high + FLAT_MARGIN * size)
 
-    def _mark_warnings(self, axes):
+    def _mark_warnings(self, axes: Any) -> None:
         """A line at the time at which each rule was first found, numbered as in list_marks."""
         if self.options.x != "time":
             return
         low, high = axes.get_xlim()
-        groups = []  # numbers that would lie over each other share one label
+        groups: list[tuple[float, list[str]]] = []  # numbers that would lie over each other share one label
         for number, (time, _) in enumerate(self.list_marks(), 1):
             place = time * self.x_factor
             if not low <= place <= high:
@@ -214,7 +221,7 @@ class Plot:
             axes.annotate(",".join(numbers), (place, 0.99), xycoords=("data", "axes fraction"), fontsize=7, color=MARK,
                           ha="left", va="top", xytext=(2, 0), textcoords="offset points")
 
-    def list_marks(self):
+    def list_marks(self) -> list[tuple[float, str]]:
         """[(time, text)] of the warnings that were found in steps, all runs, the first in time first."""
         marks = []
         for label, run, history in self.runs:
@@ -227,7 +234,7 @@ class Plot:
         return sorted(marks)[:20]
 
 
-def write_svg(figure):
+def write_svg(figure: Any) -> str:
     """The figure as the text of an SVG element, to stand in a page."""
     stream = io.StringIO()
     with rc_context(SETTINGS):
@@ -236,7 +243,7 @@ def write_svg(figure):
     return text[text.index("<svg") :]
 
 
-def save(figure, path, force=False, dpi=110):
+def save(figure: Any, path: str, force: bool = False, dpi: int = 110) -> None:
     """Writes a PNG or an SVG, with the mark of percuss plot."""
     form, stream = os.path.splitext(path)[1][1:].lower(), io.BytesIO()
     mark = make_mark("plot")

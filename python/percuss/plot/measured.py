@@ -1,11 +1,13 @@
 """A measured curve from a CSV file, with its corridor: drawn beside those of runs, which are rated against it."""
 
 import re
+from typing import Any
 
 import numpy as np
 
 from percuss.errors import NotResults
 from percuss.files import read_text
+from percuss.results.arrays import Array
 from percuss.results.rating import find_share_inside, rate
 
 INK, FILL = "#111111", "#d5d9de"
@@ -14,7 +16,7 @@ INK, FILL = "#111111", "#d5d9de"
 class Measured:
     """Attributes: label, x, y, low, high (the last two None without a corridor), in the units of the histories."""
 
-    def __init__(self, path):
+    def __init__(self, path: str) -> None:
         """The first two columns of the file, or those of a heading x, y, low, high;
         with four the others are the corridor."""
         self.label = re.sub(r".*/", "", path)
@@ -28,20 +30,20 @@ class Measured:
         self.x, self.y = table[:, order[0]], table[:, order[1]]
         self.low, self.high = (table[:, order[2]], table[:, order[3]]) if len(order) == 4 else (None, None)
 
-    def draw(self, axes, x_factor, factor):
-        if self.low is not None:
+    def draw(self, axes: Any, x_factor: float, factor: float) -> None:
+        if self.low is not None and self.high is not None:
             axes.fill_between(self.x * x_factor, self.low * factor, self.high * factor, color=FILL, linewidth=0,
                               label="corridor")
         axes.plot(self.x * x_factor, self.y * factor, color=INK, linewidth=1.6, label=self.label)
 
-    def judge(self, x, values, is_of_time):
+    def judge(self, x: Array, values: Array, is_of_time: bool) -> list[str]:
         """Sentences about a curve."""
         texts = []
         if is_of_time:
             found = rate(self.x, self.y, x, values)
             parts = ", ".join(f"{name} {found[name]:.3f}" for name in ("corridor", "phase", "magnitude", "slope"))
             texts.append(f"rating {found['rating']:.3f} of 1 by ISO/TS 18571 ({parts})")
-        if self.low is not None:
+        if self.low is not None and self.high is not None:
             inside = (x >= self.x.min()) & (x <= self.x.max())
             order = np.argsort(self.x, kind="stable")
             low, high = (np.interp(x[inside], self.x[order], side[order]) for side in (self.low, self.high))
@@ -52,9 +54,10 @@ class Measured:
         return texts
 
 
-def _read_table(path):
+def _read_table(path: str) -> tuple[list[str], Array]:
     """(names of the columns, or [], [rows][columns]). Columns are separated by commas, semicolons, tabs or blanks."""
-    names, rows = [], []
+    names: list[str] = []
+    rows: list[list[float]] = []
     for number, line in enumerate(read_text(path).lstrip("\ufeff").splitlines(), 1):
         words = [word.strip().strip('"') for word in re.split(r"[;,\t]|\s+", line.strip()) if word.strip()]
         if not words or words[0].startswith("#"):

@@ -1,11 +1,13 @@
 """What is plotted: panels of columns, by default or by what the user asks for."""
 
 import fnmatch
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from percuss.nearest import suggest
 from percuss.results.expressions import check_syntax
 from percuss.results.extremes import find_size
+from percuss.results.history import History
 
 ENERGIES = ("kinetic", "internal", "hourglass", "viscous", "folding", "contact", "friction", "damping", "external",
             "contact_stored", "eroded_energy")
@@ -23,24 +25,24 @@ class BadChoice(Exception):
 class Panel:
     name: str
     title: str
-    columns: list = field(default_factory=list)
+    columns: list[str] = field(default_factory=list)
     colored_by_part: bool = False  # a curve of the time step: by the part of the element that controls it
 
 
-def list_panels(histories):
+def list_panels(histories: list[History]) -> dict[str, Panel]:
     """Every panel for which some run has columns, by name, in the order in which they are shown."""
     names = list(dict.fromkeys(name for history in histories for name in history.everything))
 
-    def moves(name):
+    def moves(name: str) -> bool:
         return any(name in history and history[name].any() for history in histories)
 
-    def among(wanted, always=()):
+    def among(wanted: Iterable[str], always: Iterable[str] = ()) -> list[str]:
         return [name for name in wanted if name in names and (name in always or moves(name))]
 
     forces = (list(FORCES)
               + [n for n in names if n not in FORCES and any(n in h and h.dimension(n) == "force" for h in histories)])
-    accelerations = [n
-                     for n in names if any(n in h and h.dimension(n) == "acceleration" for h in histories) and moves(n)]
+    accelerations = [n for n in names
+                     if any(n in h and h.dimension(n) == "acceleration" for h in histories) and moves(n)]
     forces = _leave_out_small(among(forces), histories)
     panels = [
         Panel("energies", "Energies", among(ENERGIES, ("kinetic", "internal"))),
@@ -66,9 +68,9 @@ def list_panels(histories):
     return {panel.name: panel for panel in panels if panel.columns}
 
 
-def _leave_out_small(names, histories):
+def _leave_out_small(names: list[str], histories: list[History]) -> list[str]:
     """Without columns far below the largest: they would be lines at zero."""
-    def find_largest(name):
+    def find_largest(name: str) -> float:
         return max(find_size(h[name]) for h in histories if name in h)
 
     largest = {name: find_largest(name) for name in names}
@@ -80,7 +82,7 @@ DEFAULT = ("energies", "energy_error", "momentum", "forces", "accelerations", "s
            "glue_failure", "erosion")
 
 
-def choose_panels(words, histories):
+def choose_panels(words: list[str], histories: list[History]) -> list[Panel]:
     """A panel for each word: a name of list_panels, a column, a pattern such as 'kinetic:*', or several of these with
     commas between them, drawn over each other. '=contact' is the column where a panel has its name.
     Without words the default."""
@@ -91,13 +93,13 @@ def choose_panels(words, histories):
     return [known[word] if word in known else _choose_columns(word.removeprefix("="), names, known) for word in words]
 
 
-def choose_columns(word, histories):
+def choose_columns(word: str, histories: list[History]) -> list[str]:
     """The columns of a word; BadChoice where there are none."""
     return _choose_columns(word, list(dict.fromkeys(name for history in histories for name in history.everything)),
                            {}).columns
 
 
-def _hint(word, names, known):
+def _hint(word: str, names: list[str], known: dict[str, Panel]) -> str:
     if hint := suggest(word, [*names, *known]):
         return f"{hint} (percuss plot DIR --list shows all)"
     panels = f"panels: {', '.join(known)}; " if known else ""
@@ -105,7 +107,7 @@ def _hint(word, names, known):
     return f" and no folder of this name ({panels}columns: {', '.join(names[:MOST_NAMES])}{rest})"
 
 
-def _choose_columns(word, names, known):
+def _choose_columns(word: str, names: list[str], known: dict[str, Panel]) -> Panel:
     columns = []
     for part in [word] if word in names else word.split(","):
         found = ([part] if part in names

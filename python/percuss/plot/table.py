@@ -6,10 +6,12 @@ from itertools import zip_longest
 
 from percuss.files import make_mark, write_file
 
+from .drawing import Plot
+from .panels import Panel
 from .series import make_curve
 
 
-def save(plot, panels, path, force=False):
+def save(plot: Plot, panels: list[Panel], path: str, force: bool = False) -> None:
     """CSV: for each curve its abscissas and its values, side by side."""
     columns = []
     for label, _, history in plot.runs:

@@ -1,11 +1,20 @@
 """Plots the history of percuss runs: PNG and SVG. percuss plot --help says how."""
 
+from __future__ import annotations
+
 import argparse
 import os
 import sys
+from typing import TYPE_CHECKING, NoReturn
 
 from percuss.libraries import require
 from percuss.terminal import fail as end
+
+if TYPE_CHECKING:
+    from percuss.plot.drawing import Drawn, Plot
+    from percuss.plot.measured import Measured
+    from percuss.plot.panels import Panel
+    from percuss.results.run import Run
 
 NEEDS = ("numpy", "h5py", "matplotlib")
 ENDINGS = (".png", ".svg", ".csv")
@@ -43,7 +52,7 @@ See docs/results.md; docs/output.md describes the columns.
 """
 
 
-def parse_arguments(words):
+def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="percuss plot", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Plots DIR/history.csv of one run or several to plot.png and plot.svg.")
@@ -73,7 +82,7 @@ def parse_arguments(words):
     return parser.parse_intermixed_args(words)  # options may stand between folders and curves
 
 
-def parse_size(text):
+def parse_size(text: str) -> tuple[float, float]:
     try:
         width, height = (int(word) for word in text.lower().split("x"))
     except ValueError:
@@ -83,11 +92,11 @@ def parse_size(text):
     return width, height
 
 
-def fail(message):
+def fail(message: object) -> NoReturn:
     end("plot", message)
 
 
-def list_columns(run):
+def list_columns(run: Run) -> None:
     from percuss.terminal import print_text
 
     history = run.history
@@ -98,7 +107,7 @@ def list_columns(run):
         print_text(f"  {name:{width}}  {history.unit(name) or '-':10}  {history.meaning(name)}")
 
 
-def choose_files(out, run):
+def choose_files(out: str | None, run: Run) -> list[str]:
     out = out or os.path.join(run.folder, "plot")
     ending = os.path.splitext(out)[1]
     if ending in ENDINGS:
@@ -108,7 +117,7 @@ def choose_files(out, run):
     return [out + ".png", out + ".svg"]
 
 
-def plot(arguments, runs, words):
+def plot(arguments: argparse.Namespace, runs: list[Run], words: list[str]) -> None:
     from percuss.files import check_target
     from percuss.plot import drawing, table
     from percuss.plot.measured import Measured
@@ -133,10 +142,10 @@ def plot(arguments, runs, words):
     shown = drawing.Plot(list(zip(labels, runs, histories)), options)
     if arguments.test:
         shown.test = Measured(arguments.test)
-        print_ratings(shown, panels)
+        print_ratings(shown.test, shown, panels)
     warn_of_short_signals(shown.runs, arguments.cfc or arguments.cfc_after)
     title = " / ".join(dict.fromkeys(run.title for run in runs)) + (f" (CFC {arguments.cfc})" if arguments.cfc else "")
-    size = tuple(pixels / 110 for pixels in arguments.size) if arguments.size else None
+    size = (arguments.size[0] / 110, arguments.size[1] / 110) if arguments.size else None
     if not paths[0].endswith(".csv"):
         figure = shown.draw_all(panels, size, title)
         for number, (time, text) in enumerate(shown.list_marks(), 1):
@@ -149,30 +158,28 @@ def plot(arguments, runs, words):
         print_text(f"plot: {path}")
 
 
-def print_ratings(shown, panels):
+def print_ratings(test: Measured, shown: Plot, panels: list[Panel]) -> None:
     from percuss.plot.series import make_curve
     from percuss.terminal import print_text
 
     if len(panels) != 1 or len(panels[0].columns) != 1:
         raise ValueError("--test is for one curve: name one column or one expression")
     for label, _, history in shown.runs:
-        for text in shown.test.judge(*make_curve(history, panels[0].columns[0], shown.options),
-                                     shown.options.x == "time"):
-            print_text(f"plot: {label} against {shown.test.label}: {text}")
+        for text in test.judge(*make_curve(history, panels[0].columns[0], shown.options), shown.options.x == "time"):
+            print_text(f"plot: {label} against {test.label}: {text}")
 
 
-def warn_of_short_signals(shown, channel_class):
+def warn_of_short_signals(shown: list[Drawn], channel_class: int) -> None:
     from percuss.plot.series import is_too_short
     from percuss.terminal import print_text
 
     for label, _, history in shown if channel_class else ():
         if is_too_short(history, channel_class):
             print_text(f"plot: {label}: the signal is shorter than one period of the cut-off frequency of CFC "
-                       f"{channel_class} (the filter hides the event): "
-                 "use a higher class, or none", sys.stderr)
+                       f"{channel_class} (the filter hides the event): use a higher class, or none", sys.stderr)
 
 
-def main(words):
+def main(words: list[str]) -> None:
     arguments = parse_arguments(words)
     require("plots need", NEEDS)
     import percuss

@@ -8,6 +8,7 @@ import argparse
 import json
 import os
 import sys
+from typing import Any
 
 import numpy as np
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
@@ -22,38 +23,39 @@ from percuss.display import open_display
 from percuss.render import pictures
 from percuss.render.coloring import Coloring
 from percuss.render.colors import rgb
-from percuss.render.scene import Surface
+from percuss.render.scene import Scene, Surface
 from percuss.render.selection import choose_elements
 from percuss.render.skin import Skin
+from percuss.results.arrays import Array
 from percuss.results.fields import Fields
 
 SIZE = (960, 540)
 POINT, OVERLAP_POINT, LINE = 5, 9, 1.6  # pixels
 
 
-def main():
+def main() -> None:
     fields, layers = Fields(sys.argv[1]), read_layers(sys.argv[2])
     with open_display():
         for number, view in enumerate(sys.argv[4:]):
-            draw(fields, layers, tuple(map(float, view.split(":")))).save(os.path.join(sys.argv[3],
-                                                                                       f"view_{number}.png"))
+            picture = draw(fields, layers, tuple(map(float, view.split(":"))))
+            picture.save(os.path.join(sys.argv[3], f"view_{number}.png"))
 
 
-def read_layers(path):
+def read_layers(path: str) -> list[dict[str, Any]]:
     with np.load(path) as file:
         layers = json.loads(str(file["layers"]))
         return [dict(layer, places=file[str(number)]) for number, layer in enumerate(layers)]
 
 
-def draw(fields, layers, view):
+def draw(fields: Fields, layers: list[dict[str, Any]], view: tuple[float, ...]) -> Any:
     arguments = argparse.Namespace(field="part", part_colors=True, range=None, map="heat", view=view, look_at=None,
                                    zoom=1.0, focus="start", part=None, clip=None, no_walls=False, size=SIZE,
                                    edges="auto", fast=True)
     kept, cut = choose_elements(fields, arguments)
     surface = Surface(Skin(fields.hexahedra, kept, cut))
     coloring = Coloring(fields, arguments, kept, [0])
-    ends = [np.reshape(layer["places"], (-1, 3)) for layer in layers if layer["kind"] == "arrows"]
-    scene, _ = pictures.make_scene(fields, arguments, surface, coloring, [0], *ends)
+    ends = [np.empty((0, 3)), *(np.reshape(layer["places"], (-1, 3)) for layer in layers if layer["kind"] == "arrows")]
+    scene, _ = pictures.make_scene(fields, arguments, surface, coloring, [0], np.concatenate(ends))
     surface.move(fields.positions(0))
     surface.color(*coloring.choose_values(0, surface.skin))
     top = add_top(scene)
@@ -63,7 +65,7 @@ def draw(fields, layers, view):
     return Image.fromarray(scene.draw()).resize(SIZE, Image.Resampling.LANCZOS)
 
 
-def add_top(scene):
+def add_top(scene: Scene) -> Any:
     """A renderer in front of the scene's: what it draws is never hidden."""
     top = vtkRenderer()
     top.SetLayer(1)
@@ -73,7 +75,7 @@ def add_top(scene):
     return top
 
 
-def make_actor(layer):
+def make_actor(layer: dict[str, Any]) -> Any:
     places = np.asarray(layer["places"], dtype=float)
     if layer["kind"] == "arrows":
         places = with_heads(places)
@@ -103,7 +105,7 @@ def make_actor(layer):
     return actor
 
 
-def with_heads(arrows, share=0.3, width=0.11):
+def with_heads(arrows: Array, share: float = 0.3, width: float = 0.11) -> Array:
     """[4 n or 5 n][2][3]: shafts and two strokes a head in each of two planes."""
     tails, tips = arrows[:, 0], arrows[:, 1]
     along = tips - tails

@@ -1,10 +1,13 @@
 """What a drawing of a scene before its run shows beside the bodies: velocities, sets, walls, overlaps, gaps."""
 
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
 from percuss.render.skin import exterior_faces
+from percuss.results.arrays import Array
+from percuss.results.fields import Fields
 
 RED = "#d92d20"
 ARROW = "#111827"
@@ -27,13 +30,13 @@ class Layer:
     name: str
     color: str
     kind: str  # points, arrows, lines, plates
-    places: np.ndarray
+    places: Array
     shown: bool = True
     on_top: bool = False
-    details: dict = field(default_factory=dict)
+    details: dict[str, Any] = field(default_factory=dict)
 
 
-def make_layers(scene, fields, plates):
+def make_layers(scene: dict[str, Any], fields: Fields, plates: Any) -> list[Layer]:
     """All layers of a scene. scene: of `percuss check --json`; fields: its first frame; plates [k][4][3] of walls."""
     places = fields.positions(0)
     layers = []
@@ -58,24 +61,24 @@ def make_layers(scene, fields, plates):
     return layers
 
 
-def _covers_parts(selection, fields):
+def _covers_parts(selection: dict[str, Any], fields: Fields) -> bool:
     """Whether it has most nodes of the parts in which it has any: marks would hide the bodies."""
     chosen = np.zeros(fields.nodes, dtype=bool)
     chosen[selection["nodes"]] = True
     parts = np.unique(fields.part[chosen[fields.hexahedra].any(axis=1)])
-    return selection["count"] > MOSTLY * len(np.unique(fields.hexahedra[np.isin(fields.part, parts)]))
+    return bool(selection["count"] > MOSTLY * len(np.unique(fields.hexahedra[np.isin(fields.part, parts)])))
 
 
-def color_of(what):
+def color_of(what: str) -> str:
     return next((color for start, color in COLORS.items() if what.startswith(start)), "#475467")
 
 
-def find_arrows(fields, places):
+def find_arrows(fields: Fields, places: Array) -> Array | None:
     """[n][2][3] tails and tips of the velocities at time 0, each as long as its speed; the tip at the node. None: all
     is at rest. Nodes at the rear of what moves are taken, evenly thinned."""
     velocity = fields.data("velocity", 0)
     speed = np.linalg.norm(velocity, axis=1)
-    top = speed.max(initial=0)
+    top = float(speed.max(initial=0))
     if not top > 0:
         return None
     diagonal = float(np.linalg.norm(np.ptp(places, axis=0)))
@@ -92,10 +95,10 @@ def find_arrows(fields, places):
         return None
     nodes = np.concatenate(chosen)
     length = ARROW_LENGTH * diagonal / top
-    return np.stack([places[nodes] - length * velocity[nodes], places[nodes]], axis=1)
+    return np.asarray(np.stack([places[nodes] - length * velocity[nodes], places[nodes]], axis=1))
 
 
-def _thin(places, velocities, nodes, count, diagonal):
+def _thin(places: Array, velocities: Array, nodes: Array, count: int, diagonal: float) -> Array:
     """About `count` nodes: at the rear of each cell across the mean motion, in its middle;
     of a spin one of each cell of space."""
     mean = velocities.mean(axis=0)
@@ -117,15 +120,15 @@ def _thin(places, velocities, nodes, count, diagonal):
         first[1:] = (np.diff(grid[order], axis=0) != 0).any(axis=1)
         found = nodes[order[first]]
         if len(found) <= count or cells == 1:
-            return found[:count]
+            return np.asarray(found[:count])
         cells -= 1
 
 
-def find_gap_lines(scene, fields, places):
+def find_gap_lines(scene: dict[str, Any], fields: Fields, places: Array) -> Array:
     """[n][2][3]: where two parts are closest, from node to node. Parts that touch, or overlap, have none."""
     lines = []
     gaps = sorted((gap for gap in scene["overlap"]["gaps"] if gap["gap"] > 0 and gap["part"] != gap["other"]),
-                  key=lambda gap: gap["gap"])
+                  key=lambda gap: float(gap["gap"]))
     numbers = {name: number for number, name in enumerate(fields.part_names)}
     for gap in gaps[:MOST_GAPS]:
         if gap["part"] in numbers and gap["other"] in numbers:
@@ -134,23 +137,23 @@ def find_gap_lines(scene, fields, places):
     return np.array(lines).reshape(-1, 2, 3)
 
 
-def _find_closest(first, second):
+def _find_closest(first: Array, second: Array) -> Array:
     """The closest pair of two sets of points, of those near the other's box."""
     first, second = _near(first, second), _near(second, first)
     step = max(1, len(first) * len(second) // MOST_PAIRS)
     second = second[::step]
-    best = (np.inf, None)
+    least, best = np.inf, np.empty((0, 3))
     for start in range(0, len(first), 500):
         piece = first[start : start + 500]
         square = ((piece[:, None] - second[None]) ** 2).sum(axis=2)
         at = np.unravel_index(int(np.argmin(square)), square.shape)
-        if square[at] < best[0]:
-            best = (square[at], np.stack([piece[at[0]], second[at[1]]]))
-    return best[1]
+        if square[at] < least:
+            least, best = square[at], np.stack([piece[at[0]], second[at[1]]])
+    return best
 
 
-def _near(points, others):
+def _near(points: Array, others: Array) -> Array:
     """The part of `points` that is closest to the box of the others: at most 2000."""
     outside = np.maximum(np.maximum(others.min(axis=0) - points, points - others.max(axis=0)), 0)
     order = np.argsort((outside**2).sum(axis=1), kind="stable")
-    return points[order[:2000]]
+    return np.asarray(points[order[:2000]])

@@ -8,6 +8,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
@@ -16,13 +18,15 @@ from percuss.report.findings import BAD, GOOD, LOOK, Finding, find_contact_loss
 from percuss.report.markup import Markup, escape, format_number, make_table, with_unit
 from percuss.report.page import note, wrap_page
 from percuss.report.scene import make_deck_section, make_loads_table, make_materials_table
+from percuss.results.arrays import Array
 from percuss.results.deck import Deck
+from percuss.results.fields import Fields
 from percuss.results.units import find_units
 from percuss.view.embed import embed_view
 from percuss.view.reduce import pack_view
 
-from .marks import color_of, make_layers
-from .trial import format_bytes, format_seconds, split_messages
+from .marks import Layer, color_of, make_layers
+from .trial import Trial, format_bytes, format_seconds, split_messages
 
 VIEWS = ("-50:22", "130:-12")
 QUALITY = 88
@@ -33,22 +37,17 @@ MUCH_MEMORY, MUCH_DISK = 0.8, 0.8  # of what there is
 class Preview:
     """The page of a Trial. options: pictures, interactive, both truths."""
 
-    def __init__(self, trial, options):
+    def __init__(self, trial: Trial, options: Any) -> None:
         self.trial, self.scene, self.options = trial, trial.scene, options
         self.units = find_units(self.scene["units"])
         self.deck = Deck(self.scene["values"], trial.deck)
         self.fields = trial.run.fields if trial.run is not None and trial.run.has_fields else None
-        self.layers = make_layers(self.scene, self.fields, self._span_walls()) if self.fields else []
+        self.layers = make_layers(self.scene, self.fields, _span_walls(self.fields)) if self.fields else []
 
-    def unit(self, quantity):
+    def unit(self, quantity: str) -> str:
         return self.units.name_of(quantity) if self.units else ""
 
-    def _span_walls(self):
-        from percuss.render.plates import span_walls
-
-        return [plate for plates, _ in span_walls(self.fields, 0, self.fields.positions(0)) for plate in plates]
-
-    def make_page(self):
+    def make_page(self) -> str:
         title = "Before the run: " + (self.scene["title"] or os.path.basename(self.trial.deck))
         sections = [("first", "What to look at first", self._list_findings()),
                     ("pictures", "The scene at time 0", self._make_pictures()),
@@ -69,7 +68,7 @@ class Preview:
 
     # --- numbers ------------------------------------------------------------------------------------------------------
 
-    def _make_facts(self):
+    def _make_facts(self) -> str:
         scene, trial = self.scene, self.trial
         size = " x ".join(f"{high - low:.3g}" for low, high in zip(scene["low"], scene["high"]))
         facts = [(with_unit(float(f"{scene['total_mass']:.4g}"), self.unit("mass")), "mass"),
@@ -77,7 +76,7 @@ class Preview:
                  (f"{scene['elements']:,}", "elements"), (f"{scene['bodies']:,}", "bodies"),
                  (with_unit(float(f"{scene['first_step']:.4g}"), self.unit("time")), "first step"),
                  (f"{scene['steps']:,.0f}", "steps, predicted")]
-        if trial.step_time:
+        if trial.step_time and trial.run is not None:
             facts += [(format_seconds(scene["steps"] * trial.step_time), "run time, predicted"),
                       (format_bytes(trial.run.summary["peak_bytes"]), "memory")]
         sizes = trial.find_sizes()
@@ -86,9 +85,9 @@ class Preview:
         return "<div class=facts>" + "".join(f"<div><b>{escape(value)}</b><span>{escape(name)}</span></div>"
                                              for value, name in facts) + "</div>"
 
-    def _make_parts(self):
+    def _make_parts(self) -> str:
         least = min((part["step"] for part in self.scene["parts"] if part["step"]), default=None)
-        rows = []
+        rows: list[tuple[object, ...]] = []
         for number, part in enumerate(self.scene["parts"]):
             swatch = f"<i class=swatch style='background:{PART_COLORS[number % len(PART_COLORS)]}'></i>"
             step = with_unit(float(f"{part['step']:.4g}"), self.unit("time")) if part["step"] else "-"
@@ -112,7 +111,7 @@ class Preview:
         return (make_table(heading, rows, (2, 3, 4, 5)) + given
                 + f"<p class=soft>Extent: {escape(with_unit(box, self.unit('length')))}.</p>")
 
-    def _make_costs(self):
+    def _make_costs(self) -> str:
         rows = self.trial.predict()
         text = make_table(("what", "predicted", "from"), rows)
         if not self.trial.step_time:
@@ -121,7 +120,7 @@ class Preview:
 
     # --- judgements ---------------------------------------------------------------------------------------------------
 
-    def _list_findings(self):
+    def _list_findings(self) -> str:
         found = [Finding(BAD, text) for text in split_messages(self.trial.error)]
         found += [Finding(BAD, "The first steps fail: " + text) for text in split_messages(self.trial.run_error)[:3]]
         known = {(w["rule"], w["place"], w["text"]) for w in self.scene["warnings"]}
@@ -141,9 +140,9 @@ class Preview:
                         for f in sorted(found, key=lambda f: order[f.level]))
         return f"<ul class=findings>{items}</ul>"
 
-    def _judge_resources(self):
+    def _judge_resources(self) -> list[Finding]:
         found = []
-        if self.trial.step_time:
+        if self.trial.step_time and self.trial.run is not None:
             total = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
             if self.trial.run.summary["peak_bytes"] > MUCH_MEMORY * total:
                 found.append(Finding(LOOK,
@@ -155,7 +154,7 @@ class Preview:
                 Finding(LOOK, f"The output takes {format_bytes(disk)}; {format_bytes(free)} are free in this folder."))
         return found
 
-    def _judge_overlap(self):
+    def _judge_overlap(self) -> list[Finding]:
         overlap = self.scene["overlap"]
         count = len(overlap["nodes"])
         if not count and not overlap["edge_pairs"] and overlap["crossings"]:
@@ -171,7 +170,7 @@ class Preview:
 
     # --- tables -------------------------------------------------------------------------------------------------------
 
-    def _make_selections(self):
+    def _make_selections(self) -> str:
         rows = []
         for item in self.scene["selections"]:
             swatch = Markup(f"<i class=swatch style='background:{color_of(item['what'])}'></i>{escape(item['key'])}")
@@ -183,27 +182,27 @@ class Preview:
             text += "<h3>Rigid walls</h3>" + make_table(("wall", "shape", "point", "form", "friction", "place"), walls)
         return text or "<p class=soft>The deck has no set, condition, load or wall.</p>"
 
-    def _make_contact(self):
+    def _make_contact(self) -> str:
         overlap, unit = self.scene["overlap"], self.unit("length")
 
-        def length(value):
+        def length(value: float) -> str:
             return with_unit(float(f"{value:.4g}"), unit)
 
         text = ""
         if overlap["parts"]:
-            rows = [(p["part"], p["inside"], f"{p['nodes']:,}", length(p["deepest"])) for p in overlap["parts"]]
-            text += "<h3>Overlaps</h3>" + make_table(("nodes of", "inside", "nodes", "deepest"), rows, (2, 3))
+            overlaps = [(p["part"], p["inside"], f"{p['nodes']:,}", length(p["deepest"])) for p in overlap["parts"]]
+            text += "<h3>Overlaps</h3>" + make_table(("nodes of", "inside", "nodes", "deepest"), overlaps, (2, 3))
         if overlap["crossings"]:
             meaning = {"now": "yes", "later": "later", "never": "no"}
-            rows = [(c["part"], c["other"], f"{len(c['places']):,}", length(c["depth"]), format_number(c["at"]),
-                     meaning[c["contact"]])
-                    for c in sorted(overlap["crossings"], key=lambda crossing: -crossing["depth"])]
+            crossings = [(c["part"], c["other"], f"{len(c['places']):,}", length(c["depth"]), format_number(c["at"]),
+                          meaning[c["contact"]])
+                         for c in sorted(overlap["crossings"], key=lambda crossing: float(-crossing["depth"]))]
             text += "<h3>Parts that cross</h3>" + make_table(("part", "other", "edges", "depth", "at", "contact"),
-                                                             rows, (2, 3))
+                                                             crossings, (2, 3))
         if overlap["gaps"]:
-            gaps = sorted(overlap["gaps"], key=lambda gap: gap["gap"])
-            rows = [(g["part"], g["other"], _describe_gap(g["gap"], length)) for g in gaps[:40]]
-            text += "<h3>Smallest gaps</h3>" + make_table(("part", "other", "gap"), rows, (2,))
+            gaps = sorted(overlap["gaps"], key=lambda gap: float(gap["gap"]))
+            near = [(g["part"], g["other"], _describe_gap(g["gap"], length)) for g in gaps[:40]]
+            text += "<h3>Smallest gaps</h3>" + make_table(("part", "other", "gap"), near, (2,))
             text += "<p class=soft>Only parts within reach of each other, about an element, are listed.</p>"
         notes = self.scene["joints"] + [line for line in self.scene["notes"] if not line.startswith("smallest gaps")]
         if notes:
@@ -212,7 +211,7 @@ class Preview:
 
     # --- drawings -----------------------------------------------------------------------------------------------------
 
-    def _make_pictures(self):
+    def _make_pictures(self) -> str:
         if self.fields is None:
             return "<p class=soft>There is no drawing, since no step could be started.</p>"
         legend = "".join(f"<span><i class=swatch style='background:{layer.color}'></i>{escape(layer.name)}</span>"
@@ -237,7 +236,7 @@ class Preview:
             shown += f"{azimuth}, elevation {elevation} degrees.</figcaption></figure>"
         return f"{legend}<div class=pictures>{shown}</div>"
 
-    def _make_view(self):
+    def _make_view(self) -> str:
         if self.fields is None or not self.options.interactive:
             return ""
         about, data, reduced_by = pack_view(self.fields, ["velocity"], frames=[0])
@@ -246,18 +245,24 @@ class Preview:
         return embed_view(about, data, f"{about['faces']:,} faces. Untick a part or a mark to hide it.{reduced}", note)
 
 
-def _describe_layer(layer):
+def _span_walls(fields: Fields) -> list[Array]:
+    from percuss.render.plates import span_walls
+
+    return [plate for plates, _ in span_walls(fields, 0, fields.positions(0)) for plate in plates]
+
+
+def _describe_layer(layer: Layer) -> dict[str, Any]:
     places = np.asarray(layer.places, dtype=float)
     return {"name": layer.name, "color": layer.color, "kind": layer.kind, "shown": layer.shown, "top": layer.on_top,
             "places": [float(f"{x:.6g}") for x in places.reshape(-1)]}
 
 
-def _describe(warning):
+def _describe(warning: dict[str, Any]) -> str:
     place = f"{warning['place']}: " if warning["place"] else ""
     return f"Warning [{warning['rule']}] {place}{warning['text']}."
 
 
-def draw_pictures(fields, layers):
+def draw_pictures(fields: Fields, layers: list[Layer]) -> list[str]:
     """JPEG as text of base 64, a picture a view. RuntimeError with the reason if there are none."""
     from PIL import Image
 
@@ -280,11 +285,11 @@ def draw_pictures(fields, layers):
         return found
 
 
-def _describe_gap(gap, length):
+def _describe_gap(gap: float, length: Callable[[float], str]) -> str:
     return "they touch" if gap == 0 else length(gap) + (" (they overlap)" if gap < 0 else "")
 
 
-def _describe_wall(wall):
+def _describe_wall(wall: dict[str, Any]) -> str:
     if wall["shape"] == "plane":
         return f"normal {format_number(wall['normal'])}"
     text = f"radius {format_number(wall['radius'])}"

@@ -5,6 +5,7 @@ import os
 import signal
 import sys
 import tempfile
+from typing import NoReturn
 
 from percuss.libraries import require
 
@@ -25,7 +26,7 @@ refuses); 4 the system failed. Needs what percuss report needs: scripts/install_
 """
 
 
-def parse_arguments(words):
+def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="percuss check --report", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Writes a page about a scene before it runs.")
@@ -46,14 +47,14 @@ def parse_arguments(words):
     return parser.parse_args(words)
 
 
-def fail(message, code=2):
+def fail(message: object, code: int = 2) -> NoReturn:
     from percuss.terminal import print_text
 
     print_text(message, sys.stderr)
     sys.exit(code)
 
 
-def name_page(deck):
+def name_page(deck: str) -> str:
     """SCENE_check.html: the deck's name, or the name of its folder if it is called deck.yaml,
     as of the results of a run."""
     name = os.path.splitext(os.path.basename(deck))[0]
@@ -62,7 +63,7 @@ def name_page(deck):
     return f"{name}_check.html"
 
 
-def main(words):
+def main(words: list[str]) -> None:
     arguments = parse_arguments(words)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(130))  # so that the temporary folder goes
     require("the page needs", NEEDS)

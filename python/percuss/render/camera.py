@@ -1,13 +1,17 @@
 """Where the camera stands: the whole scene over all frames in view, a few flying bits ignored."""
 
 import math
+from collections.abc import Callable, Sequence
 
 import numpy as np
+
+from percuss.results.arrays import Array
+from percuss.results.fields import Fields
 
 VIEW_ANGLE = 24.0  # degrees, vertical: like a short telephoto lens, which keeps shapes true
 
 
-def directions(azimuth, elevation):
+def directions(azimuth: float, elevation: float) -> tuple[Array, Array, Array]:
     """Unit vectors right, up and forward of a camera that looks at the scene from azimuth (from +x towards +y, about z)
     and elevation (above the xy plane), both in degrees; z is up in the picture."""
     a, e = math.radians(azimuth), math.radians(elevation)
@@ -16,16 +20,19 @@ def directions(azimuth, elevation):
     return right, np.cross(right, forward), forward
 
 
-def sample_positions(fields, nodes, frames, limit=400_000, shift=None):
+def sample_positions(fields: Fields, nodes: Array, frames: Sequence[int], limit: int = 400_000,
+                     shift: Callable[[int], Array] | None = None) -> Array:
     """Positions of nodes over the frames, thinned evenly to about `limit`: [n][3], finite ones only. shift(frame) [3]:
     what is taken away, as a camera sees them that goes along."""
     stride = max(1, len(nodes) * len(frames) // limit)
     samples = np.concatenate([fields.positions(f)[nodes[f % stride :: stride]] - (0 if shift is None else shift(f))
                               for f in frames])
-    return samples[np.isfinite(samples).all(axis=1)]
+    return np.asarray(samples[np.isfinite(samples).all(axis=1)])
 
 
-def place_camera(points, azimuth, elevation, aspect, margins, look_at=None):
+def place_camera(points: Array, azimuth: float, elevation: float, aspect: float,
+                 margins: tuple[float, float, float, float],
+                 look_at: Sequence[float] | None = None) -> tuple[Array, Array, Array]:
     """The position of the camera, the point it looks at, and its up direction.
 
     With look_at [3] the camera keeps its direction and its distance from the scene and has this point in the middle.
@@ -55,6 +62,6 @@ def place_camera(points, azimuth, elevation, aspect, margins, look_at=None):
     return position, position + (middle - nearest) * forward, up
 
 
-def narrow_view(zoom):
+def narrow_view(zoom: float) -> float:
     """The vertical view angle in degrees in which things are `zoom` times as large as in VIEW_ANGLE."""
     return 2 * math.degrees(math.atan(math.tan(math.radians(VIEW_ANGLE) / 2) / zoom))

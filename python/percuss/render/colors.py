@@ -1,5 +1,7 @@
 """Colour maps, colours of parts, and what a field is called on the bar."""
 
+from typing import Any
+
 import numpy as np
 
 # Colours at equal distances, light to dark or along the map; interpolated in Lab.
@@ -20,12 +22,13 @@ PART_COLORS = ["#6f8fb0", "#c98a6b", "#8aa879", "#b3a06a", "#9b85ad", "#7fa9a6",
 LABELS = {"stress": "von Mises stress", "von_mises": "von Mises stress", "velocity": "speed"}
 
 
-def rgb(color):
+def rgb(color: str) -> tuple[float, float, float]:
     """'#rrggbb' as three numbers of 0 to 1."""
-    return tuple(int(color[i : i + 2], 16) / 255 for i in (1, 3, 5))
+    red, green, blue = (int(color[i : i + 2], 16) / 255 for i in (1, 3, 5))
+    return red, green, blue
 
 
-def make_lut(name, low, high, reverse=False):
+def make_lut(name: str, low: float, high: float, reverse: bool = False) -> Any:
     """A lookup table over [low, high]; numbers that are not finite are magenta, so that they cannot be missed."""
     from vtkmodules.vtkCommonCore import vtkLookupTable
     from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
@@ -44,11 +47,11 @@ def make_lut(name, low, high, reverse=False):
     return lut
 
 
-def part_color(number):
+def part_color(number: int) -> tuple[float, float, float]:
     return rgb(PART_COLORS[number % len(PART_COLORS)])
 
 
-def make_category_lut(count):
+def make_category_lut(count: int) -> Any:
     """One colour for each of 0, 1, ..., count - 1; grey for what belongs to none (-1)."""
     from vtkmodules.vtkCommonCore import vtkLookupTable
 
@@ -62,5 +65,5 @@ def make_category_lut(count):
     return lut
 
 
-def label_of(field):
+def label_of(field: str) -> str:
     return LABELS.get(field, field.replace("_", " "))

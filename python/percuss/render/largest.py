@@ -2,29 +2,34 @@
 
 import numpy as np
 
+from percuss.results.arrays import Array
+from percuss.results.fields import Fields
 
-def find_largest(fields, name, frame, drawn):
+from .coloring import Coloring
+
+
+def find_largest(fields: Fields, name: str, frame: int, drawn: Array) -> tuple[int | None, float]:
     """(item, value) of a field in the elements that are drawn, or their nodes;
-    (None, None) where nothing is finite or all are zero."""
+    (None, 0) where nothing is finite or all are zero."""
     values = fields.values(name, frame)
     items = np.flatnonzero(drawn) if fields.names()[name] == "element" else np.unique(fields.hexahedra[drawn])
     items = items[np.isfinite(values[items])]
     if not values[items].any():
-        return None, None
+        return None, 0.0
     item = int(items[np.argmax(values[items])])
     return item, float(values[item])
 
 
 class Largest:
-    """Of a frame. Attributes: value (in the unit of the file;
-    None where find_largest finds none), point [3], text ('element 12 of part 'plate'')."""
+    """Of a frame. Attributes: value (in the unit of the file), point [3] (None where find_largest finds none),
+    text ('element 12 of part 'plate'')."""
 
-    def __init__(self, fields, coloring, frame, drawn):
-        self.value, self.point, self.text = None, None, ""
-        item, value = find_largest(fields, coloring.name, frame, drawn)
+    def __init__(self, fields: Fields, coloring: Coloring, frame: int, drawn: Array) -> None:
+        self.point: Array | None = None
+        self.text = ""
+        item, self.value = find_largest(fields, coloring.name, frame, drawn)
         if item is None:
             return
-        self.value = value
         positions = fields.positions(frame)
         if coloring.place == "element":
             self.point = positions[np.unique(fields.hexahedra[item])].mean(axis=0)
@@ -33,6 +38,6 @@ class Largest:
             self.point, self.text = positions[item], f"node {fields.node_ids[item]}"
 
 
-def format_value(value, coloring):
+def format_value(value: float, coloring: Coloring) -> str:
     """'412 MPa'"""
     return f"{value * coloring.factor:.4g} {coloring.unit}".rstrip()

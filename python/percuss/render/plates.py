@@ -3,25 +3,30 @@ around the bodies; a cylinder or a sphere as many."""
 
 import numpy as np
 
-from .mirrors import list_copies, reflect_once
+from percuss.results.arrays import Array
+from percuss.results.fields import Fields
 
+from .mirrors import Planes, list_copies, reflect_once
+
+Wall = tuple[Array, tuple[Array, Array] | None]  # plates; point and normal of a plane
+Image = tuple[Array | None, tuple[Array, Array] | None]
 MARGIN = 0.08  # of the plate around the bodies, as a share of the size of the scene
 GAP = 5e-4     # by which the plate lies behind the wall, likewise: faces that lie on the wall are seen
 AROUND = 96    # plates around a cylinder or a sphere
 SAME = 1e-6    # of the size of the scene: where the plates of two walls are alike
 
 
-def span_walls(fields, frame, points):
+def span_walls(fields: Fields, frame: int, points: Array) -> list[Wall]:
     """[(plates [k][4][3], plane)] of all walls at the time of a frame.
     plane: its point and normal; None of a round wall."""
     return [(span_wall(*wall, points)[np.newaxis], wall[:2]) for wall in fields.walls_at(frame)] + [
         (span_round_wall(*wall, points), None) for wall in fields.round_walls_at(frame)]
 
 
-def mirror_walls(walls, planes):
+def mirror_walls(walls: list[Wall], planes: Planes) -> list[Image]:
     """The walls of span_walls with their images in each mirrored copy of the scene; (None, None) for an image that lies
     where a wall is already, such as that of a floor. There are as many at each time."""
-    images = list(walls)
+    images: list[Image] = list(walls)
     for chosen in list_copies(planes):
         for plates, plane in walls:
             image = reflect_once(plates, chosen)
@@ -31,7 +36,7 @@ def mirror_walls(walls, planes):
     return images
 
 
-def _are_alike(one, two):
+def _are_alike(one: Array, two: Array) -> bool:
     """Whether plates lie at the same places: they may begin at other corners."""
     one, two = (np.reshape(plates, (-1, 3)) for plates in (one, two))
     near = SAME * max(find_size(one), find_size(two))
@@ -39,13 +44,13 @@ def _are_alike(one, two):
                 and np.allclose(np.cov(one.T), np.cov(two.T), rtol=0, atol=near * find_size(two)))
 
 
-def _turn(normal, planes):
+def _turn(normal: Array, planes: Planes) -> Array:
     image = np.array(normal, dtype=float)
     image[[axis for axis, _ in planes]] *= -1
     return image
 
 
-def span_wall(point, normal, edges, points):
+def span_wall(point: Array, normal: Array, edges: Array | None, points: Array) -> Array:
     """Four corners of a plate in the wall's plane: of its rectangle, or under all points [n][3],
     as seen along the normal."""
     size = find_size(points)
@@ -61,7 +66,8 @@ def span_wall(point, normal, edges, points):
                      ((a[0], b[0]), (a[1], b[0]), (a[1], b[1]), (a[0], b[1]))])
 
 
-def span_round_wall(point, axis, radius, length, points, around=AROUND):
+def span_round_wall(point: Array, axis: Array | None, radius: float, length: float | None, points: Array,
+                    around: int = AROUND) -> Array:
     """Plates [k][4][3] around a cylinder, which are as long as it is or as the bodies beside it,
     or on a sphere (axis: None)."""
     size = find_size(points)
@@ -81,11 +87,11 @@ def span_round_wall(point, axis, radius, length, points, around=AROUND):
                            for low, high in zip(rings, rings[1:])])
 
 
-def find_size(points):
+def find_size(points: Array) -> float:
     return float(np.linalg.norm(np.ptp(points, axis=0)))
 
 
-def find_axes(normal):
+def find_axes(normal: Array) -> tuple[Array, Array]:
     """Two unit vectors that are perpendicular to a unit vector and to each other."""
     first = np.eye(3)[np.argmin(np.abs(normal))]
     first = first - (first @ normal) * normal

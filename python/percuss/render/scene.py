@@ -2,6 +2,8 @@
 
 import os
 import textwrap
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import vtkmodules.vtkRenderingCore as vtk
@@ -13,9 +15,12 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkReverseSense
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 
+from percuss.results.arrays import Array
+
 from .camera import narrow_view
 from .colors import rgb
-from .mirrors import reflect
+from .mirrors import Planes, reflect
+from .skin import Skin
 from .walls import WallPlates
 
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
@@ -26,7 +31,7 @@ MARK_TO_THE_LEFT = 0.5  # of the width
 SMOOTH_BELOW = 35.0  # degrees between faces: round bodies look round, edges of blocks stay sharp
 
 
-def make_cells(offsets, corners):
+def make_cells(offsets: Array, corners: Array) -> Any:
     cells = vtkCellArray()
     cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=1), numpy_to_vtkIdTypeArray(corners.astype(np.int64), deep=1))
     return cells
@@ -35,34 +40,34 @@ def make_cells(offsets, corners):
 class Surface:
     """The lines and polygons of a skin, whose points move from frame to frame."""
 
-    def __init__(self, skin):
+    def __init__(self, skin: Skin) -> None:
         self.points = vtkPoints()
         self.mesh = vtkPolyData()
         self.mesh.SetPoints(self.points)
         self.choose(skin)
 
-    def choose(self, skin):
+    def choose(self, skin: Skin) -> None:
         """Another skin of the same mesh; it has neither places nor colours until it is given some."""
         self.skin = skin
         behind = int(skin.offsets[skin.lines])
         self.mesh.SetLines(make_cells(skin.offsets[: skin.lines + 1], skin.corners[:behind]))
         self.mesh.SetPolys(make_cells(skin.offsets[skin.lines :] - behind, skin.corners[behind:]))
 
-    def move(self, positions):
+    def move(self, positions: Array) -> None:
         self.points.SetData(numpy_to_vtk(np.ascontiguousarray(self.skin.at_points(positions)), deep=1))
         self.mesh.Modified()
 
-    def color(self, place, values):
+    def color(self, place: str, values: Array) -> None:
         """values: one number a point or a polygon of the skin."""
         data = self.mesh.GetPointData() if place == "node" else self.mesh.GetCellData()
         data.SetScalars(numpy_to_vtk(np.ascontiguousarray(values, dtype=float), deep=1))
 
 
 class Scene:
-    def __init__(self, surface, lut, size, supersampling, edges):
+    def __init__(self, surface: Surface, lut: Any, size: tuple[int, int], supersampling: int, edges: bool) -> None:
         self.width, self.height = size
         self.scale = supersampling
-        self._walls, self._mark = [], []
+        self._walls, self._mark = list[WallPlates](), list[Any]()
         self.renderer = vtk.vtkRenderer()
         self.renderer.SetBackground(1, 1, 1)
         self.window = vtk.vtkRenderWindow()
@@ -73,7 +78,7 @@ class Scene:
         self._add_surface(surface, lut, edges)
         self._add_lights()
 
-    def _add_surface(self, surface, lut, edges):
+    def _add_surface(self, surface: Surface, lut: Any, edges: bool) -> None:
         self._normals = vtkPolyDataNormals()
         self._normals.SetInputData(surface.mesh)
         self._normals.SetFeatureAngle(SMOOTH_BELOW)
@@ -96,7 +101,7 @@ class Scene:
         self.renderer.AddActor(actor)
         self._surface = actor
 
-    def _make_mapper(self, source):
+    def _make_mapper(self, source: Any) -> Any:
         mapper = vtk.vtkPolyDataMapper()
         mapper.SetInputConnection(source.GetOutputPort())
         mapper.SetLookupTable(self._lut)
@@ -104,7 +109,7 @@ class Scene:
         mapper.InterpolateScalarsBeforeMappingOn()
         return mapper
 
-    def add_copies(self, copies):
+    def add_copies(self, copies: list[Planes]) -> None:
         """copies: for each the planes (axis, value) that mirror it. An odd number of mirrors turns faces inside out,
         which would be lit from within: their corners are taken in the other order."""
         turned = vtkReverseSense()
@@ -115,14 +120,14 @@ class Scene:
             actor.ShallowCopy(self._surface)
             if len(planes) % 2:
                 actor.SetMapper(turned_mapper)
-            scale, place = [1, 1, 1], [0, 0, 0]
+            scale, place = [1.0, 1.0, 1.0], [0.0, 0.0, 0.0]
             for axis, value in planes:
                 scale[axis], place[axis] = -1, 2 * value
             actor.SetScale(*scale)
             actor.SetPosition(*place)
             self.renderer.AddActor(actor)
 
-    def _add_lights(self):
+    def _add_lights(self) -> None:
         """Daylight: much from everywhere (ambient), a warm key light from above the camera's left,
         a cool fill from its right."""
         self.renderer.AutomaticLightCreationOff()
@@ -136,7 +141,7 @@ class Scene:
             light.SetIntensity(strength)
             self.renderer.AddLight(light)
 
-    def shade(self, size_of_scene, cell_size):
+    def shade(self, size_of_scene: float, cell_size: float) -> None:
         """Dims hollows and contacts, as scattered daylight does. Lengths in the units of the mesh."""
         self.renderer.UseSSAOOn()
         self.renderer.SetSSAORadius(0.05 * size_of_scene)
@@ -144,7 +149,7 @@ class Scene:
         self.renderer.SetSSAOKernelSize(32)
         self.renderer.SSAOBlurOn()
 
-    def place_walls(self, walls):
+    def place_walls(self, walls: list[tuple[Array | None, bool]]) -> None:
         """walls: [(plates [k][4][3], whether it is seen from behind)], as many at every call; where they are from now
         on. Plates of None are not drawn."""
         for _ in walls[len(self._walls) :]:
@@ -153,7 +158,7 @@ class Scene:
         for wall, place in zip(self._walls, walls):
             wall.place(*place)
 
-    def aim(self, position, target, up, zoom, sample):
+    def aim(self, position: Array, target: Array, up: Array, zoom: float, sample: Array) -> None:
         """sample: points [n][3] of all that is drawn."""
         camera = self.renderer.GetActiveCamera()
         camera.SetViewAngle(narrow_view(zoom))
@@ -165,12 +170,12 @@ class Scene:
         near = max(depth.min() * 0.8, 1e-3 * depth.max())
         camera.SetClippingRange(near, depth.max() * 1.2)
 
-    def shift_camera(self, by):
+    def shift_camera(self, by: Array) -> None:
         camera = self.renderer.GetActiveCamera()
         camera.SetPosition(*(self._stand[0] + by))
         camera.SetFocalPoint(*(self._stand[1] + by))
 
-    def mark(self, point, text, planes=()):
+    def mark(self, point: Array | None, text: str, planes: Planes = ()) -> None:
         """A ring at a point with a text beside it, over all that is drawn; of the images of mirrored copies at that
         which is nearest to the camera. None: no mark in this picture."""
         if not self._mark:
@@ -199,7 +204,7 @@ class Scene:
             label.SetInput(f"     {text}")
             label.GetTextProperty().SetJustificationToLeft()
 
-    def add_color_bar(self, lut, title, labels, note):
+    def add_color_bar(self, lut: Any, title: str, labels: int, note: str) -> None:
         """labels: how many numbers the bar has. note: a line below it."""
         bar = vtkScalarBarActor()
         bar.SetLookupTable(lut)
@@ -221,7 +226,8 @@ class Scene:
         if note:
             self.add_text(note, 0.975, 0.21, 0.02, right=True)
 
-    def add_text(self, text, x, y, points, right=False, color=INK, bold=False):
+    def add_text(self, text: str, x: float, y: float, points: float, right: bool = False, color: Sequence[float] = INK,
+                 bold: bool = False) -> Any:
         actor = vtk.vtkTextActor()
         actor.SetInput(text)
         self._set_font(actor.GetTextProperty(), points)
@@ -236,14 +242,14 @@ class Scene:
         self.renderer.AddActor2D(actor)
         return actor
 
-    def add_legend_entry(self, row, color, name):
+    def add_legend_entry(self, row: int, color: Sequence[float], name: str) -> None:
         y = 0.7 - 0.05 * row
         patch = self.add_text("ii", 0.875, y, 0.026, color=color)  # its background hides the letters
         patch.GetTextProperty().SetBackgroundColor(*color)
         patch.GetTextProperty().SetBackgroundOpacity(1)
         self.add_text(name if len(name) <= 14 else name[:13] + "\u2026", 0.9, y, 0.026)
 
-    def _set_font(self, text, points):
+    def _set_font(self, text: Any, points: float) -> None:
         if os.path.exists(FONT):
             text.SetFontFamily(VTK_FONT_FILE)
             text.SetFontFile(FONT)
@@ -255,7 +261,7 @@ class Scene:
         text.SetItalic(False)
         text.SetShadow(False)
 
-    def draw(self):
+    def draw(self) -> Array:
         """The picture as [height][width][3] bytes, at `supersampling` times the size."""
         self.window.Render()
         grab = vtk.vtkWindowToImageFilter()
@@ -265,4 +271,4 @@ class Scene:
         grab.Update()
         image = grab.GetOutput()
         width, height, _ = image.GetDimensions()
-        return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 3)[::-1]
+        return np.asarray(vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 3)[::-1])

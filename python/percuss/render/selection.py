@@ -1,8 +1,12 @@
 """What of the mesh is drawn: parts by name, and what lies behind a cut."""
 
+import argparse
+
 import numpy as np
 
 from percuss.nearest import suggest
+from percuss.results.arrays import Array
+from percuss.results.fields import Fields
 
 from .camera import directions
 
@@ -10,11 +14,15 @@ from .camera import directions
 ON_THE_PLANE = 1e-6
 
 
+Clip = tuple[str, int, float]  # side of the plane, axis, value
+View = tuple[float, float]  # azimuth and elevation
+
+
 class BadChoice(ValueError):
     """An argument does not fit the file; str() is a message for the user."""
 
 
-def check_field(fields, name):
+def check_field(fields: Fields, name: str) -> None:
     """BadChoice with the nearest name where there is no such field."""
     known = fields.names()
     if name not in known:
@@ -26,7 +34,7 @@ class Cut:
     """A plane through the mesh as it starts. Attributes: height [nodes], above the plane on the side that is taken
     away; keeps [elements], whether some of an element stays; parts [elements], whether it goes through an element."""
 
-    def __init__(self, fields, clip, view):
+    def __init__(self, fields: Fields, clip: Clip, view: View) -> None:
         side, axis, value = clip
         self.removes_above = side == "+" if side else faces_camera(axis, view)
         start = fields.positions(0)
@@ -43,7 +51,7 @@ class Cut:
         self.text = f"{'below' if self.removes_above else 'above'} {'xyz'[axis]} = {value:g}"
 
 
-def choose_elements(fields, arguments):
+def choose_elements(fields: Fields, arguments: argparse.Namespace) -> tuple[Array, Cut | None]:
     """[elements] whether each is drawn, at least in part; and the cut, or None."""
     kept = choose_parts(fields, arguments.part)
     if arguments.clip is None:
@@ -54,7 +62,7 @@ def choose_elements(fields, arguments):
     return kept & cut.keeps, cut
 
 
-def choose_parts(fields, wanted):
+def choose_parts(fields: Fields, wanted: list[str] | None) -> Array:
     if not wanted:
         return np.ones(fields.elements, dtype=bool)
     names = [name for words in wanted for name in ([words] if words in fields.part_names else words.split(","))]
@@ -65,8 +73,8 @@ def choose_parts(fields, wanted):
     return np.isin(fields.part, [fields.part_names.index(name) for name in names])
 
 
-def faces_camera(axis, view):
+def faces_camera(axis: int, view: View) -> bool:
     """Whether the camera stands at the upper end of the axis;
     where it looks along the cut the upper end is taken away."""
     _, _, forward = directions(*view)
-    return forward[axis] < 1e-9
+    return bool(forward[axis] < 1e-9)

@@ -2,8 +2,8 @@
 
 import argparse
 import math
-import re
 import subprocess
+from typing import NoReturn
 
 from percuss.display import NoDisplay, open_display
 from percuss.libraries import MissingLibrary, require
@@ -32,7 +32,7 @@ ParaView opens DIR/fields.xdmf2.
 """
 
 
-def parse_arguments(words):
+def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="percuss render", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Renders DIR/fields.vtkhdf to DIR/frame_0000.png ... and DIR/animation.gif.")
@@ -90,9 +90,9 @@ def parse_arguments(words):
     return parser.parse_args(join_signed(words))
 
 
-def join_signed(words):
+def join_signed(words: list[str]) -> list[str]:
     """argparse takes '-50:22' and '-x=0' for options: such a word is joined to the option before it."""
-    joined = []
+    joined: list[str] = []
     for word in words:
         signed = len(word) > 1 and word[0] == "-" and (word[1].isdigit() or word[1] in ".xyz")
         if signed and joined and joined[-1].startswith("--") and "=" not in joined[-1]:
@@ -102,7 +102,7 @@ def join_signed(words):
     return joined
 
 
-def parse_numbers(text, count, words):
+def parse_numbers(text: str, count: int, words: str) -> tuple[float, ...]:
     try:
         numbers = [float(word) for word in text.split(":")]
     except ValueError:
@@ -112,7 +112,7 @@ def parse_numbers(text, count, words):
     return tuple(numbers)
 
 
-def parse_frames(text):
+def parse_frames(text: str) -> list[int]:
     try:
         return [int(word) for word in text.split(",")]
     except ValueError:
@@ -120,18 +120,18 @@ def parse_frames(text):
                                          "or several with commas between them") from None
 
 
-def parse_pair(text):
+def parse_pair(text: str) -> tuple[float, ...]:
     return parse_numbers(text, 2, "two numbers with a colon between them")
 
 
-def parse_percentile(text):
+def parse_percentile(text: str) -> float:
     (percentile,) = parse_numbers(text, 1, "a number")
     if not 50 <= percentile <= 100:
         raise argparse.ArgumentTypeError(f"'{text}' is not a percentile of 50 to 100")
     return percentile
 
 
-def parse_mirror(text):
+def parse_mirror(text: str) -> tuple[int, float] | str:
     """'deck', or (axis, value) of 'y=0'."""
     if text == "deck":
         return text
@@ -141,18 +141,18 @@ def parse_mirror(text):
     return axis, value
 
 
-def parse_point(text):
+def parse_point(text: str) -> tuple[float, ...]:
     return parse_numbers(text, 3, "three numbers with colons between them")
 
 
-def parse_factor(text):
+def parse_factor(text: str) -> float:
     (factor,) = parse_numbers(text, 1, "a number")
     if not 0.01 <= factor <= 1000:
         raise argparse.ArgumentTypeError(f"'{text}' is not a factor of 0.01 to 1000")
     return factor
 
 
-def parse_size(text):
+def parse_size(text: str) -> tuple[int, int]:
     try:
         width, height = (int(word) for word in text.lower().split("x"))
     except ValueError:
@@ -162,21 +162,23 @@ def parse_size(text):
     return width, height
 
 
-def parse_clip(text):
+def parse_clip(text: str) -> tuple[str, int, float]:
     """(side, axis, value): side is '+', '-' or empty."""
-    words = re.fullmatch(r"([+-]?)([xyz])=(.+)", text)
+    side, axis, value = "", *text.partition("=")[::2]
+    if axis[:1] in ("+", "-"):
+        side, axis = axis[0], axis[1:]
     try:
-        return words[1], "xyz".index(words[2]), float(words[3])
-    except (TypeError, ValueError):
+        return side, ("x", "y", "z").index(axis), float(value)
+    except ValueError:
         raise argparse.ArgumentTypeError(f"'{text}' is not x=VALUE, y=VALUE or z=VALUE, "
                                          "with + or - before it or not") from None
 
 
-def fail(message):
+def fail(message: object) -> NoReturn:
     end("render", message)
 
 
-def is_installed(package):
+def is_installed(package: str) -> bool:
     """Whether Debian's package is installed; False where there is no dpkg."""
     try:
         asked = subprocess.run(["dpkg-query", "-W", "-f", "${db:Status-Status}", package],
@@ -186,14 +188,14 @@ def is_installed(package):
     return asked.stdout == "installed"
 
 
-def require_vtk():
+def require_vtk() -> None:
     try:
         require("pictures need", NEEDS, "--render")
     except MissingLibrary as error:
         fail(f"{error}{WARNING_OF_PARAVIEW * is_installed('python3-paraview')}")
 
 
-def main(words):
+def main(words: list[str]) -> None:
     arguments = parse_arguments(words)
     require_vtk()
     from percuss.errors import NotResults

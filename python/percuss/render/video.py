@@ -4,6 +4,7 @@ import os
 import shutil
 import subprocess
 import tempfile
+from typing import Any
 
 import numpy as np
 
@@ -16,13 +17,13 @@ CODECS = {"mp4": ["-c:v", "libx264", "-crf", "18", "-preset", "medium", "-movfla
 REST = 1.2  # seconds on the last picture
 
 
-def check_ffmpeg():
+def check_ffmpeg() -> None:
     if not shutil.which("ffmpeg"):
         raise BadChoice("there is no ffmpeg, which makes mp4 and webm: install it "
                         "(Debian: ffmpeg), or leave --video out")
 
 
-def encode_video(images, fps, kind):
+def encode_video(images: list[Any], fps: float, kind: str) -> bytes:
     """Bytes of the film. images: of one size; odd sizes lose a line."""
     width, height = (size - size % 2 for size in images[0].size)
     with tempfile.TemporaryDirectory() as folder:

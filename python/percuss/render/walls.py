@@ -1,10 +1,14 @@
 """Rigid walls as actors of VTK."""
 
+from typing import Any
+
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+
+from percuss.results.arrays import Array
 
 from .colors import rgb
 
@@ -16,7 +20,7 @@ class WallPlates:
     """The plates of a wall, which may move from frame to frame; `actor` draws them.
     The edges of a wall of one plate are drawn."""
 
-    def __init__(self, line_width):
+    def __init__(self, line_width: float) -> None:
         self._points, self._cells, self._mesh = vtkPoints(), vtkCellArray(), vtkPolyData()
         self._mesh.SetPoints(self._points)
         self._mesh.SetPolys(self._cells)
@@ -27,7 +31,7 @@ class WallPlates:
         self.actor.SetMapper(mapper)
         _color(self.actor.GetProperty(), line_width)
 
-    def place(self, plates, seen_from_behind):
+    def place(self, plates: Array | None, seen_from_behind: bool) -> None:
         """plates: [k][4][3], as many at every call; None: they are not drawn."""
         self.actor.SetVisibility(plates is not None)
         if plates is None:
@@ -43,7 +47,7 @@ class WallPlates:
         self.actor.GetProperty().SetOpacity(SEEN_FROM_BEHIND if seen_from_behind else 1)
 
 
-def _color(look, line_width):
+def _color(look: Any, line_width: float) -> None:
     look.SetColor(*FRONT)
     look.SetAmbient(0.45)
     look.SetDiffuse(0.6)

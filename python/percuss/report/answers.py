@@ -9,9 +9,13 @@ import numpy as np
 
 from percuss.errors import NotResults
 from percuss.files import TEXT, load_json
+from percuss.results.arrays import Array
+from percuss.results.deck import Deck
+from percuss.results.history import History
+from percuss.results.run import Run
 from percuss.results.units import choose_time_unit, choose_unit
 
-from .findings import BAD, GOOD, find_energy_in_contact_springs
+from .findings import BAD, GOOD, Finding, find_energy_in_contact_springs
 from .forces import describe_kind, find_force, find_impulse, list_forces
 from .markup import escape, show_deck
 from .motion import describe_motions
@@ -24,7 +28,7 @@ PERIODS = 10  # of the cut-off frequency of CFC 1000, from which a filter is sug
 REFINE = "Nothing that this run shows. Repeat it with smaller elements and compare both runs: percuss report DIR DIR2."
 
 
-def make_answers(run, findings):
+def make_answers(run: Run, findings: list[Finding]) -> str:
     """Four questions and their answers, as far as the files have them."""
     changes = [*list_changes_of_import(run), *list_changes(findings), *list_changes_for_forces(run)]
     rows = [("What happened?", [escape(text) for text in describe_events(run)]),
@@ -36,19 +40,19 @@ def make_answers(run, findings):
                       for question, texts in rows if texts) + "</dl>")
 
 
-def show(run, value, quantity):
+def show(run: Run, value: float, quantity: str) -> str:
     """'442.7 J'; in kJ or mJ where that reads better."""
     unit, factor = choose_unit(run.units.name_of(quantity) if run.units else "", abs(value))
     return f"{value * factor:.4g} {unit}".rstrip()
 
 
-def show_time(run, value):
+def show_time(run: Run, value: float) -> str:
     end = run.summary.get("time") or (float(run.history["time"][-1]) if run.has_history and len(run.history) else 0.0)
     unit, factor = choose_time_unit(run.units.name_of("time") if run.units else "", end)
     return f"{value * factor:.4g} {unit}".rstrip()
 
 
-def describe_events(run):
+def describe_events(run: Run) -> list[str]:
     """Where the energy went, in sentences."""
     energy = run.summary.get("energy")
     if not energy or math.isnan(energy["kinetic"]) or run.status in ("running", "starting", "killed"):
@@ -74,7 +78,7 @@ def describe_events(run):
             *describe_welds(run, show_time), *describe_ties(run)]
 
 
-def describe_relaxation(run):
+def describe_relaxation(run: Run) -> list[str]:
     """How the run came to its state at time 0."""
     relaxation = run.summary.get("relaxation") or {}
     if not relaxation.get("state"):
@@ -86,7 +90,7 @@ def describe_relaxation(run):
             f"with {relaxation['kinetic_ratio']:.2g} of the energy left as motion{reached}."]
 
 
-def describe_ties(run):
+def describe_ties(run: Run) -> list[str]:
     """How many nodes of ties have let go, and by when the first."""
     if not run.has_history or "failed_ties" not in run.history or not len(run.history):
         return []
@@ -97,7 +101,7 @@ def describe_ties(run):
     return [f"{int(counts[-1]):,} tied nodes have failed, the first by t = {show_time(run, first)}."]
 
 
-def describe_erosion(run):
+def describe_erosion(run: Run) -> list[str]:
     count = run.summary["eroded"]["elements"]
     if not count:
         return []
@@ -109,7 +113,7 @@ def describe_erosion(run):
     return [f"{count:,} of {run.summary['elements']:,} elements failed{first}."]
 
 
-def find_peaks_of_forces(run):
+def find_peaks_of_forces(run: Run) -> list[tuple[str, str, float, float, bool]]:
     """[(name, what it is, largest magnitude, its time, whether a mean between rows)]: means before values of one step,
     then the largest first."""
     history, found = run.history, []
@@ -130,7 +134,7 @@ def find_peaks_of_forces(run):
     return sorted((peak for peak in found if peak[2] > 0), key=lambda peak: (not peak[-1], -peak[2]))
 
 
-def is_resolved(history, name):
+def is_resolved(history: History, name: str) -> bool:
     """Whether the rows beside the largest one of a force show its rise and its fall; one at the end has no fall yet."""
     size = np.linalg.norm(find_force(history, name), axis=1)
     top = int(np.argmax(np.where(np.isfinite(size), size, 0)))
@@ -138,13 +142,13 @@ def is_resolved(history, name):
     return not beside.min() < UNRESOLVED * size[top]
 
 
-def _find_peak(history, size):
+def _find_peak(history: History, size: Array) -> tuple[float, float]:
     size = np.where(np.isfinite(size), size, 0)
     top = int(np.argmax(size))
     return float(size[top]), float(history["time"][top])
 
 
-def describe_forces(run):
+def describe_forces(run: Run) -> list[str]:
     """The largest forces, or what the deck needs to have them."""
     if not run.has_history or len(run.history) < 2:
         return [escape("There is no history. Add to the deck:") + show_deck(suggest_forces(run))]
@@ -178,7 +182,7 @@ def describe_forces(run):
     return texts or [escape("All forces of the history are zero.")]
 
 
-def list_changes_of_import(run):
+def list_changes_of_import(run: Run) -> list[str]:
     """What percuss import has left out or changed of another program's deck, as its report beside the deck says:
     first what the user has allowed."""
     path = os.path.join(os.path.dirname(run.deck.file), "import_report.json")
@@ -197,11 +201,11 @@ def list_changes_of_import(run):
     return found[:MOST_CHANGES]
 
 
-def shorten(text, most=160):
+def shorten(text: str, most: int = 160) -> str:
     return text if len(text) <= most else text[:most].rpartition(",")[0] + " and others"
 
 
-def list_changes_for_forces(run):
+def list_changes_for_forces(run: Run) -> list[str]:
     """For the largest force that is a mean between rows: rows that show its peak, and a run to its end."""
     peaks = find_peaks_of_forces(run) if run.has_history and len(run.history) > 1 else []
     if not peaks or not peaks[0][-1]:
@@ -217,7 +221,7 @@ def list_changes_for_forces(run):
     return found
 
 
-def suggest_forces(run):
+def suggest_forces(run: Run) -> str:
     """Lines of a deck: contact of the parts that move at the start, walls with names, supports."""
     deck, rows = run.deck, []
     moving = [entry.get("part") or entry.get("nodes") for entry in deck.get_list("initial") if isinstance(entry, dict)]
@@ -238,9 +242,9 @@ def suggest_forces(run):
             + "".join(f"      - {row}\n" for row in rows or ["{name: force, contact: [PART, all]}"]))
 
 
-def _group_by_motion(deck, parts):
+def _group_by_motion(deck: Deck, parts: list[str]) -> list[list[str]]:
     """Parts with the same entry of initial but for their names: pieces of one body, most likely."""
-    groups = {}
+    groups: dict[str, list[str]] = {}
     for entry in deck.get_list("initial"):
         name = (entry.get("part") or entry.get("nodes")) if isinstance(entry, dict) else None
         if name in parts:
@@ -249,7 +253,7 @@ def _group_by_motion(deck, parts):
     return [list(dict.fromkeys(group)) for group in groups.values()]
 
 
-def judge_trust(run, findings):
+def judge_trust(run: Run, findings: list[Finding]) -> str:
     """A verdict by the findings, the worst first."""
     count = {level: sum(finding.level == level for finding in findings) for level in ("bad", "look")}
     if count[BAD]:
@@ -265,11 +269,11 @@ def judge_trust(run, findings):
             "compare with a finer mesh or a test.")
 
 
-def _first(findings, level):
-    return next(finding.text for finding in findings if finding.level == level)
+def _first(findings: list[Finding], level: str) -> str:
+    return next((finding.text for finding in findings if finding.level == level), "")
 
 
-def list_changes(findings):
+def list_changes(findings: list[Finding]) -> list[str]:
     """What to do about each finding that is not good, once each."""
     found = []
     for finding in findings:

@@ -3,12 +3,16 @@
 import difflib
 import os
 import re
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
 
 import numpy as np
 
 from percuss.files import read_text
 from percuss.results.converted import OF_SUMMARY
 from percuss.results.extremes import find_size, find_top
+from percuss.results.history import History
+from percuss.results.run import Run
 
 from .markup import Markup, escape, fold, format_number, make_table
 from .scene import flatten
@@ -20,7 +24,7 @@ ROUND_OFF = 1e-6  # of the largest column of a dimension: what stays below it is
 EQUAL_ABOVE = 1e-14  # relative differences below are written as 0
 
 
-def compare_numbers(values, is_name=False):
+def compare_numbers(values: Sequence[Any], is_name: bool = False) -> list[str]:
     """Text of the differences of each next number from the first: '+1.2 %'; empty where there is none. is_name: the
     number tells things apart, as that of an element does."""
     first = values[0]
@@ -37,7 +41,7 @@ def compare_numbers(values, is_name=False):
     return texts
 
 
-def make_bits_text(runs):
+def make_bits_text(runs: list[Run]) -> str:
     """Whether the runs ended in the same state, to the last bit."""
     hashes = [run.summary.get("state_hash") for run in runs]
     if not all(hashes):
@@ -45,7 +49,7 @@ def make_bits_text(runs):
     if len(set(hashes)) == 1:
         return (f"<p class=same>Same bits: all runs ended in the state {escape(hashes[0])}.</p>"
                 + make_first_difference(runs))
-    groups = {}
+    groups: dict[str | None, list[Run]] = {}
     for run, value in zip(runs, hashes):
         groups.setdefault(value, []).append(run)
     rows = [(value, ", ".join(run.folder for run in found)) for value, found in groups.items()]
@@ -53,7 +57,7 @@ def make_bits_text(runs):
             make_first_difference(runs))
 
 
-def make_first_difference(runs):
+def make_first_difference(runs: list[Run]) -> str:
     """Whether the texts of the histories are the same, and where the first row differs.
     Texts read back to the same bits."""
     if not all(run.has_history for run in runs):
@@ -74,11 +78,11 @@ def make_first_difference(runs):
     return text
 
 
-def _read_lines(run):
+def _read_lines(run: Run) -> list[str]:
     return read_text(os.path.join(run.folder, "history.csv")).splitlines()
 
 
-def _name_differences(first, other, row, most=6):
+def _name_differences(first: list[str], other: list[str], row: int, most: int = 6) -> str:
     """'at t = 0.01, in dt, kinetic'"""
     names, a, b = (line.split(",") for line in (first[0], first[row], other[row]))
     changed = [name for name, x, y in zip(names, a, b) if x != y]
@@ -86,12 +90,12 @@ def _name_differences(first, other, row, most=6):
     return f"at t = {a[0]}, in {', '.join(changed[:most])}{more}"
 
 
-def make_summary_table(runs, labels):
+def make_summary_table(runs: list[Run], labels: list[str]) -> str:
     """Numbers of summary.json that differ; those of the machine and those that are equal are folded."""
     tables = [dict(_split_lists(flatten(run.summary))) for run in runs]
     keys = [key for key in tables[0]
             if all(key in table for table in tables) and not key.startswith(("warnings", "state_hash"))]
-    rows, machine, equal = [], [], 0
+    rows, machine, equal = list[list[str]](), list[list[str]](), 0
     for key in keys:
         values = [table[key] for table in tables]
         if all(value == values[0] for value in values):
@@ -109,14 +113,14 @@ def make_summary_table(runs, labels):
              if machine else ""))
 
 
-def _name_unit(runs, key):
+def _name_unit(runs: list[Run], key: str) -> str:
     """' [J]' of a key of summary.json with a dimension, where all runs have one system of units."""
     quantity, units = (OF_SUMMARY.get(key) or OF_SUMMARY.get(key.rpartition(".")[0]),
                        {run.units and run.units.text for run in runs})
     return f" [{runs[0].units.name_of(quantity)}]" if quantity and len(units) == 1 and runs[0].units else ""
 
 
-def _split_lists(rows):
+def _split_lists(rows: Iterable[tuple[str, Any]]) -> Iterator[tuple[str, Any]]:
     for key, value in rows:
         if isinstance(value, list) and value and all(isinstance(item, (int, float)) for item in value):
             for axis, item in zip("xyz", value):
@@ -125,7 +129,7 @@ def _split_lists(rows):
             yield key, value
 
 
-def find_history_differences(first, other):
+def find_history_differences(first: History, other: History) -> list[tuple[str, float, float, float]]:
     """[(column, largest difference over the largest magnitude, its time, the same at the end)] at the times of the
     first; both in one system of units. Forces and energies come first, then what else has a dimension, then counts,
     errors and the time step; last what is round-off beside others of its dimension.
@@ -143,7 +147,7 @@ def find_history_differences(first, other):
         share = np.abs(a - b) / size
         worst = find_top(share)
         rows.append((name, float(share[worst]), float(time[worst]), float(share[-1])))
-    largest = {}
+    largest: dict[str | None, float] = {}
     for name, *_ in rows:
         dimension = first.dimension(name)
         largest[dimension] = max(largest.get(dimension, 0.0),
@@ -151,7 +155,7 @@ def find_history_differences(first, other):
     return sorted(rows, key=lambda row: (_rank(first, other, row[0], largest), -row[1]))
 
 
-def _rank(first, other, name, largest):
+def _rank(first: History, other: History, name: str, largest: dict[str | None, float]) -> int:
     """Place of a column's group in the table: the less, the more it matters."""
     dimension = first.dimension(name)
     if dimension in FIRST_DIMENSIONS or dimension not in (None, "-", "time"):
@@ -161,7 +165,7 @@ def _rank(first, other, name, largest):
     return 2
 
 
-def _find_size(history, name):
+def _find_size(history: History, name: str) -> float:
     """The largest magnitude of a column;
     of a component that of all three, so that round-off of one that is zero does not count."""
     parts = re.fullmatch(r"(momentum_|angular_|wall_force_|f|m)[xyz](:.*)?", name)
@@ -169,7 +173,7 @@ def _find_size(history, name):
     return max(find_size(history[n]) for n in names if n in history)
 
 
-def make_history_table(runs, histories, labels):
+def make_history_table(runs: list[Run], histories: list[History], labels: list[str]) -> str:
     text = ""
     for label, history in zip(labels[1:], histories[1:]):
         if not len(histories[0]) or not len(history):
@@ -189,7 +193,7 @@ def make_history_table(runs, histories, labels):
                    "at the times of the first run.</p>")
 
 
-def make_deck_difference(runs, labels):
+def make_deck_difference(runs: list[Run], labels: list[str]) -> str:
     texts = [run.deck.text.splitlines() for run in runs]
     if not all(texts):
         return ""

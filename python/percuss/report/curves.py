@@ -6,13 +6,15 @@ from percuss.plot.drawing import Plot, write_svg
 from percuss.plot.panels import choose_panels, list_panels
 from percuss.plot.series import Options, add_expressions, choose_abscissa
 from percuss.results.expressions import split_label, split_unit
+from percuss.results.history import History
 from percuss.results.labels import read_labelled
+from percuss.results.run import Run
 from percuss.results.units import choose_unit
 
 from .markup import escape, make_table, with_unit
 
 
-def make_curves(runs, labels, words, x="time"):
+def make_curves(runs: list[Run], labels: list[str], words: list[str], x: str = "time") -> str:
     """words: as percuss plot has them. What is one number in every run is a row of a table; the rest is drawn.
     runs: those with a history."""
     if not words:
@@ -37,11 +39,11 @@ def make_curves(runs, labels, words, x="time"):
     return f"{table}{over}{_write_notes(options.notes)}<div class=plots>{figures}</div>"
 
 
-def _write_notes(notes):
+def _write_notes(notes: list[str]) -> str:
     return "".join(f"<p class=soft>{escape(note)}</p>" for note in notes)
 
 
-def _find_numbers(word, histories, notes):
+def _find_numbers(word: str, histories: list[History], notes: list[str]) -> list[str]:
     """A text a run of an expression that is one number; empty where it is more, or no expression."""
     text = split_label(word)[1]
     if any(text in history or word in list_panels([history]) for history in histories) or word.startswith("="):
@@ -54,8 +56,9 @@ def _find_numbers(word, histories, notes):
             return []
         if np.ndim(value.values):
             return []
-        has_unit = history.units and value.powers and any(value.powers)
-        unit = value.unit if value.unit is not None else history.units.name_of_powers(value.powers) if has_unit else ""
+        unit = value.unit or ""
+        if value.unit is None and history.units and value.powers and any(value.powers):
+            unit = history.units.name_of_powers(value.powers)
         shown, factor = (unit, 1.0) if value.unit is not None else choose_unit(unit, abs(float(value.values)))
         found.append(with_unit(float(f"{float(value.values) * factor:.6g}"), shown))
         if value.note and value.note not in notes:

@@ -2,10 +2,13 @@
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from percuss.results.extremes import find_size, find_top
+from percuss.results.history import History
+from percuss.results.run import Run
 
 GOOD, LOOK, BAD = "good", "look", "bad"
 
@@ -29,7 +32,7 @@ class Finding:
     remedy: str = ""  # what to do about it
 
 
-def find_findings(run):
+def find_findings(run: Run) -> list[Finding]:
     """The worst first."""
     summary = run.summary
     found = [_judge_status(run)]
@@ -43,7 +46,7 @@ def find_findings(run):
     return sorted(found, key=lambda finding: order[finding.level])
 
 
-def _judge_status(run):
+def _judge_status(run: Run) -> Finding:
     texts = {
         "completed": _judge_end(run),
         "failed": (BAD, f"The run failed: {run.summary.get('error', '')} What follows holds up to then.",
@@ -58,7 +61,7 @@ def _judge_status(run):
     return Finding(*texts.get(run.status, (LOOK, f"The run says '{run.status}'.")))
 
 
-def _judge_end(run):
+def _judge_end(run: Run) -> tuple[str, ...]:
     if not run.step_limit:
         return GOOD, "The run is complete."
     if run.summary.get("ended_by"):
@@ -66,7 +69,7 @@ def _judge_end(run):
     return LOOK, f"The run was {run.step_limit}.", "raise time.max_steps or leave it out, and run to the end"
 
 
-def _describe_warning(run, warning):
+def _describe_warning(run: Run, warning: dict[str, Any]) -> Finding:
     place = f"{warning['place']}: " if warning.get("place") else ""
     when = (f" First at t = {warning['time']:.4g}{_unit(run, 'time')}" if warning.get("time")
             else " Known before the first step")
@@ -75,20 +78,20 @@ def _describe_warning(run, warning):
                    _find_remedy(warning["text"], warning))
 
 
-def _find_remedy(message, warning=None):
+def _find_remedy(message: str, warning: dict[str, Any] | None = None) -> str:
     """What follows "problem (reason): ", and the rule and place that it belongs to."""
     remedy = message.rpartition("): ")[2] if "): " in message else ""
     about = ", ".join(text for text in (warning["rule"], warning.get("place")) if text) if warning else ""
     return f"{remedy} ({about})" if remedy and about else remedy
 
 
-def find_energy_in_contact_springs(run):
+def find_energy_in_contact_springs(run: Run) -> float:
     """At the end, of penalty contact: contact has taken it, but gives it back."""
     return (float(run.history["contact_stored"][-1])
             if run.has_history and len(run.history) and "contact_stored" in run.history else 0.0)
 
 
-def _judge_energies(run, summary):
+def _judge_energies(run: Run, summary: dict[str, Any]) -> list[Finding]:
     energy = summary["energy"]
     error = energy["error"]
     if math.isnan(error) or summary["status"] == "running":
@@ -115,7 +118,7 @@ def _judge_energies(run, summary):
     return found + find_contact_loss(run)
 
 
-def find_contact_loss(run):
+def find_contact_loss(run: Run) -> list[Finding]:
     """A Finding where normal contact has taken more than is usual, in a list."""
     energy = run.summary["energy"]
     largest = max(abs(energy[name]) for name in ("initial", "kinetic", "internal", "external"))
@@ -128,11 +131,11 @@ def find_contact_loss(run):
                     "and check contact.restitution of rigid ones")]
 
 
-def _has_warning(summary, rule):
+def _has_warning(summary: dict[str, Any], rule: str) -> bool:
     return any(warning.get("rule") == rule for warning in summary.get("warnings", []))
 
 
-def _judge_momentum(summary):
+def _judge_momentum(summary: dict[str, Any]) -> list[Finding]:
     found = []
     for name in ("linear", "angular"):
         error = summary["momentum"][f"{name}_error"]
@@ -144,7 +147,7 @@ def _judge_momentum(summary):
     return found
 
 
-def _judge_steps(run, summary):
+def _judge_steps(run: Run, summary: dict[str, Any]) -> list[Finding]:
     dt = summary["dt"]
     if not summary["steps"] or not dt["max"]:
         return []
@@ -165,19 +168,19 @@ def _judge_steps(run, summary):
     return found
 
 
-def find_part_of_element(run, element):
+def find_part_of_element(run: Run, element: int) -> str:
     """The name of the part of an element by its id; empty without fields."""
     if not run.has_fields:
         return ""
     place = np.flatnonzero(run.fields.element_ids == element)
-    return run.fields.part_names[run.fields.part[place[0]]] if len(place) else ""
+    return str(run.fields.part_names[run.fields.part[place[0]]]) if len(place) else ""
 
 
-def _unit(run, quantity):
+def _unit(run: Run, quantity: str) -> str:
     return f" {run.units.name_of(quantity)}" if run.units else ""
 
 
-def _judge_losses(run, summary):
+def _judge_losses(run: Run, summary: dict[str, Any]) -> list[Finding]:
     eroded = summary["eroded"]
     if not eroded["elements"]:
         return []
@@ -188,7 +191,7 @@ def _judge_losses(run, summary):
                     "repeat with smaller elements: what fails depends on their size")]
 
 
-def _judge_history(history):
+def _judge_history(history: History) -> list[Finding]:
     found = []
     if "residual" in history:
         worst = find_top(history["residual"])
@@ -206,7 +209,7 @@ def _judge_history(history):
     return found
 
 
-def find_peaks(history):
+def find_peaks(history: History) -> list[tuple[str, float, float, float, float]]:
     """[(column, largest value, its time, least value, its time)] of what has a dimension of force,
     of contacts and energies."""
     rows, forces = [], [name for name in history if history.dimension(name) == "force"]

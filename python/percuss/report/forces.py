@@ -1,9 +1,15 @@
 """Forces of a run: their peaks and impulses, and whether impulses and momenta,
 and pairs and their sum, are in balance."""
 
+from typing import Any
+
 import numpy as np
 
+from percuss.results.arrays import Array
+from percuss.results.deck import Deck
 from percuss.results.extremes import find_size, find_top
+from percuss.results.history import History
+from percuss.results.run import Run
 from percuss.results.units import choose_time_unit
 
 from .markup import make_table, with_unit
@@ -11,23 +17,23 @@ from .markup import make_table, with_unit
 ROUND_OFF = 1e-9  # relative: what the shortest texts of numbers leave is below
 
 
-def list_forces(history):
+def list_forces(history: History) -> list[str]:
     """Names of output.history.forces, in the order of their columns."""
     return [name[3:] for name in history if name.startswith("fx:")]
 
 
-def find_force(history, name):
+def find_force(history: History, name: str) -> Array:
     """[rows][3]: means over the time since the row before."""
     return np.stack([np.asarray(history[f"f{axis}:{name}"]) for axis in "xyz"], axis=1)
 
 
-def find_impulse(history, name):
+def find_impulse(history: History, name: str) -> Array:
     """[3]: exactly the momentum exchanged between the first row and the last."""
     force = find_force(history, name)
-    return (force[1:] * np.diff(history["time"])[:, None]).sum(axis=0)
+    return np.asarray((force[1:] * np.diff(history["time"])[:, None]).sum(axis=0))
 
 
-def describe_kind(run, name):
+def describe_kind(run: Run, name: str) -> str:
     """'contact of a with b', as the deck has it; empty where it is not known."""
     for force in run.deck.get_list("output.history.forces"):
         if isinstance(force, dict) and force.get("name") == name:
@@ -37,7 +43,7 @@ def describe_kind(run, name):
     return ""
 
 
-def _name(value):
+def _name(value: Any) -> str:
     if isinstance(value, dict):
         return ", ".join(f"{key} {_name(item)}" for key, item in value.items())
     if isinstance(value, list):
@@ -45,7 +51,7 @@ def _name(value):
     return str(value)
 
 
-def make_forces_table(run):
+def make_forces_table(run: Run) -> str:
     """A row for each force: largest resultant and its time, impulse, mean, and of contact and walls the largest normal
     force, area and pressure."""
     history = run.history
@@ -74,29 +80,32 @@ def make_forces_table(run):
                    "of the nodes that are pushed; the pressure is that of the node with the most.</p>")
 
 
-def _show_peak(history, column):
+def _show_peak(history: History, column: str) -> str:
     """The largest value; nothing where there is no such column, or none in it."""
     if column not in history or not np.any(np.isfinite(history[column])):
         return ""
     return _show(find_size(history[column]), history.unit(column))
 
 
-def _show(value, unit):
+def _show(value: float, unit: str) -> str:
     return with_unit(float(f"{value:.4g}"), unit)
 
 
-def have_sets_masses(deck):
+Balance = tuple[str, float, float, float, str]  # the last: a column, or words
+
+
+def have_sets_masses(deck: Deck) -> bool:
     """Whether rigid_sets bring mass or inertia, which no part has."""
     sets = deck.get("rigid_sets")
     return (isinstance(sets, dict)
             and any(isinstance(one, dict) and (one.get("mass") or one.get("inertia")) for one in sets.values()))
 
 
-def find_balances(history, sets_have_masses=False):
-    """[(what, sum of the shares, the whole, difference over the largest magnitude)] of what must add up: the work of
-    all pairs of contact; energies, momenta of all parts, where there is a column for each. sets_have_masses: rigid_sets
-    bring masses, which are in no part."""
-    found = []
+def find_balances(history: History, sets_have_masses: bool = False) -> list[Balance]:
+    """[(what, sum of the shares, the whole, difference over the largest magnitude, column)] of what must add up: the
+    work of all pairs of contact; energies, momenta of all parts, where there is a column for each. sets_have_masses:
+    rigid_sets bring masses, which are in no part."""
+    found: list[Balance] = []
     for whole in ("contact", "friction"):
         _add(found, history, whole, f"work of {whole} by all pairs", [n for n in history if n.startswith(f"{whole}:")])
     blocks = {name for name in history if " of block '" in history.meaning(name)}  # of which parts consist
@@ -109,7 +118,7 @@ def find_balances(history, sets_have_masses=False):
     return found
 
 
-def _add(found, history, whole, what, shares):
+def _add(found: list[Balance], history: History, whole: str, what: str, shares: list[str]) -> None:
     """Of the row in which they differ most."""
     if not shares or whole not in history:
         return
@@ -124,7 +133,7 @@ def _add(found, history, whole, what, shares):
     found.append((what, float(total[row]), float(history[whole][row]), float(difference[row]) / largest, whole))
 
 
-def make_balance_table(run):
+def make_balance_table(run: Run) -> str:
     rows = []
     for what, total, whole, difference, column in find_balances(run.history, have_sets_masses(run.deck)):
         unit = run.history.unit(column)
@@ -140,7 +149,7 @@ def make_balance_table(run):
         "<p class=soft>Of the row with the largest difference, which is a share of the largest magnitude.</p>"
 
 
-def find_momentum_balances(run):
+def find_momentum_balances(run: Run) -> list[Balance]:
     """[(force, impulse, change of momentum, difference, words)] of each contact force on parts from all others, whose
     momenta are in the history: they are the same where nothing else acts on the parts. Magnitudes of vectors."""
     history, found = run.history, []
@@ -160,13 +169,13 @@ def find_momentum_balances(run):
     return found
 
 
-def _find_change_of_momentum(history, part):
+def _find_change_of_momentum(history: History, part: str) -> Array:
     """[3] between the first row and the last."""
     columns = [history[f"momentum_{axis}:{part}"] for axis in "xyz"]
     return np.array([column[-1] - column[0] for column in columns])
 
 
-def _list_parts_acted_on(run, name):
+def _list_parts_acted_on(run: Run, name: str) -> list[str]:
     for force in run.deck.get_list("output.history.forces"):
         if isinstance(force, dict) and force.get("name") == name and "contact" in force:
             pair = force["contact"]

@@ -2,19 +2,21 @@
 
 import html
 import re
+from collections.abc import Collection, Iterable, Sequence
+from typing import Any
 
 
-def escape(text):
+def escape(text: object) -> str:
     return html.escape(str(text), quote=True)
 
 
-def make_table(heading, rows, numbers=()):
+def make_table(heading: Sequence[str] | None, rows: Iterable[Sequence[object]], numbers: Collection[int] = ()) -> str:
     """heading: texts, or None. numbers: columns that stand at the right. Cells are texts, or Markup as it is."""
-    def cell(tag, column, value):
+    def cell(tag: str, column: int, value: object) -> str:
         text = value if isinstance(value, Markup) else escape(value)
         return f"<{tag}{' class=number' if column in numbers else ''}>{text}</{tag}>"
 
-    def row(tag, values):
+    def row(tag: str, values: Sequence[object]) -> str:
         return "<tr>" + "".join(cell(tag, column, value) for column, value in enumerate(values)) + "</tr>"
 
     head = row("th", heading) if heading else ""
@@ -25,11 +27,11 @@ class Markup(str):
     """A text that is HTML already."""
 
 
-def fold(title, content):
+def fold(title: str, content: str) -> str:
     return f"<details><summary>{escape(title)}</summary>{content}</details>"
 
 
-def show_deck(text):
+def show_deck(text: str) -> str:
     """YAML with its comments in grey."""
     lines = []
     for line in text.splitlines():
@@ -39,7 +41,7 @@ def show_deck(text):
     return "<pre>" + "\n".join(lines) + "</pre>"
 
 
-def format_number(value):
+def format_number(value: Any) -> str:
     """Six digits at most; lists and texts as they are."""
     if isinstance(value, bool) or value is None:
         return {True: "yes", False: "no", None: "-"}[value]
@@ -52,5 +54,5 @@ def format_number(value):
     return str(value)
 
 
-def with_unit(value, unit):
+def with_unit(value: Any, unit: str) -> str:
     return f"{format_number(value)} {unit}".rstrip()

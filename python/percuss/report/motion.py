@@ -4,6 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from percuss.results.arrays import Array
+from percuss.results.fields import Fields
+from percuss.results.run import Run
 from percuss.results.units import choose_unit
 
 from .markup import make_table
@@ -21,15 +24,15 @@ class Motion:
     """Of the nodes of a part that belong to active elements of the last frame. Means over these nodes."""
 
     part: str
-    moved: np.ndarray    # displacement
-    speeds: tuple        # magnitudes of the mean velocity in both frames; None without the field
-    turned: float        # degrees, of the rotation that fits best
-    start: np.ndarray    # extents along x, y, z
-    end: np.ndarray      # the same after this rotation is undone, so that a rigid part keeps its extents
-    lost: int            # elements that have failed
+    moved: Array  # displacement
+    speeds: tuple[float, float] | None  # magnitudes of the mean velocity in both frames; None without the field
+    turned: float  # degrees, of the rotation that fits best
+    start: Array  # extents along x, y, z
+    end: Array  # the same after this rotation is undone, so that a rigid part keeps its extents
+    lost: int  # elements that have failed
 
 
-def find_motions(fields):
+def find_motions(fields: Fields) -> list[Motion]:
     first, last = fields.positions(0), fields.positions(-1)
     alive, velocities = fields.alive(-1), None
     if "velocity" in fields.names():
@@ -41,13 +44,16 @@ def find_motions(fields):
         if not len(nodes) or not np.isfinite(last[nodes]).all():
             continue
         turned, back = _undo_rotation(first[nodes], last[nodes])
-        speeds = tuple(float(np.linalg.norm(v[nodes].mean(axis=0))) for v in velocities) if velocities else None
+        speeds = None
+        if velocities:
+            before, after = (float(np.linalg.norm(v[nodes].mean(axis=0))) for v in velocities)
+            speeds = before, after
         found.append(Motion(name, (last[nodes] - first[nodes]).mean(axis=0), speeds, turned,
                             np.ptp(first[nodes], axis=0), np.ptp(back, axis=0), int((mine & ~alive).sum())))
     return found
 
 
-def _undo_rotation(first, last):
+def _undo_rotation(first: Array, last: Array) -> tuple[float, Array]:
     """(degrees, the last positions turned back about their mean): the rotation of least squares (Kabsch 1976)."""
     a, b = first - first.mean(axis=0), last - last.mean(axis=0)
     left, size, right = np.linalg.svd(a.T @ b)
@@ -59,7 +65,7 @@ def _undo_rotation(first, last):
     return float(np.degrees(np.arccos(cosine))), b @ rotation.T
 
 
-def describe_motions(run):
+def describe_motions(run: Run) -> list[str]:
     """Sentences: where the parts went that moved most, and what became shorter or longer."""
     if not run.has_fields or len(run.fields.times) < 2:
         return []
@@ -75,11 +81,11 @@ def describe_motions(run):
     return sentences[:MOST_PARTS] + [more] * bool(more)
 
 
-def _has_changed(motion, size):
-    return np.linalg.norm(motion.moved) > SMALL_MOTION * size or bool(_list_stretched(motion))
+def _has_changed(motion: Motion, size: float) -> bool:
+    return bool(np.linalg.norm(motion.moved) > SMALL_MOTION * size or _list_stretched(motion))
 
 
-def _tell_path(motion, unit, size):
+def _tell_path(motion: Motion, unit: str, size: float) -> list[str]:
     distance = float(np.linalg.norm(motion.moved))
     if distance <= SMALL_MOTION * size:
         return []
@@ -90,35 +96,35 @@ def _tell_path(motion, unit, size):
     return [f"moved {show_length(distance, unit)}{way}"]
 
 
-def _tell_turn(motion):
+def _tell_turn(motion: Motion) -> list[str]:
     return [f"turned by {motion.turned:.3g} degrees"] if motion.turned > SMALL_TURN else []
 
 
-def _tell_speeds(motion, unit):
+def _tell_speeds(motion: Motion, unit: str) -> list[str]:
     if motion.speeds is None or not max(motion.speeds) > 0:
         return []
     return [f"mean velocity from {motion.speeds[0]:.4g} to {motion.speeds[1]:.4g} {unit}".rstrip()]
 
 
-def _list_stretched(motion):
+def _list_stretched(motion: Motion) -> list[int]:
     longest = motion.start.max()
     return [axis for axis in range(3) if motion.start[axis] > SMALL_STRETCH * longest
             and abs(motion.end[axis] / motion.start[axis] - 1) > SMALL_STRETCH]
 
 
-def _tell_shape(motion, unit):
+def _tell_shape(motion: Motion, unit: str) -> list[str]:
     """The extent that has changed most."""
     axes = _list_stretched(motion)
     if not axes:
         return []
-    axis = max(axes, key=lambda k: abs(motion.end[k] - motion.start[k]))
+    axis = max(axes, key=lambda k: float(abs(motion.end[k] - motion.start[k])))
     ratio = motion.end[axis] / motion.start[axis]
     change = f"{ratio:.3g} times as long" if ratio > 3 else f"{100 * (ratio - 1):+.3g} %"  # bodies that fly apart
     return [f"extent along {'xyz'[axis]} from {show_length(motion.start[axis], unit)} to "
             f"{show_length(motion.end[axis], unit)} ({change})"]
 
 
-def show_length(value, unit):
+def show_length(value: float, unit: str) -> str:
     """'39.1 mm' of 0.0391 m; in the unit of the deck where that is not m."""
     if unit == "m" and 1e-4 <= abs(value) < 0.5:
         return f"{1e3 * value:.4g} mm"
@@ -126,7 +132,7 @@ def show_length(value, unit):
     return f"{value * factor:.4g} {shown}".rstrip()
 
 
-def make_motion_table(run):
+def make_motion_table(run: Run) -> str:
     """A row for each part."""
     if not run.has_fields or len(run.fields.times) < 2:
         return ""

@@ -3,6 +3,7 @@
 import os
 import sys
 import time
+from typing import Any
 
 from percuss.files import make_mark
 from percuss.plot.drawing import Plot, write_svg
@@ -11,6 +12,9 @@ from percuss.plot.series import Options
 from percuss.render.colors import CATEGORIES, label_of
 from percuss.render.mirrors import find_symmetry
 from percuss.render.selection import check_field
+from percuss.results.fields import Fields
+from percuss.results.history import History
+from percuss.results.run import Run
 from percuss.results.units import choose_time_unit, choose_unit, format_time
 from percuss.terminal import print_text
 from percuss.view.embed import describe_view, embed_view
@@ -31,11 +35,11 @@ HERE = os.path.dirname(os.path.realpath(__file__))
 MORE_PANELS = ("contact_pairs", "kinetic_by_part", "internal_by_part", "erosion")
 
 
-def note(text):
+def note(text: str) -> None:
     print_text(f"report: {text}", sys.stderr)
 
 
-def make_page(runs, options):
+def make_page(runs: list[Run], options: Any) -> str:
     """The text of the page. options: field, view, pictures, interactive, plot, x, units."""
     labels = [run.name if [r.name for r in runs].count(run.name) == 1 else run.folder for run in runs]
     title = runs[0].title if len(runs) == 1 else "Comparison: " + ", ".join(labels)
@@ -68,7 +72,7 @@ def make_page(runs, options):
     return wrap_page(title, "".join(parts))
 
 
-def wrap_page(title, body, tool="report"):
+def wrap_page(title: str, body: str, tool: str = "report") -> str:
     with open(os.path.join(HERE, "style.css"), encoding="utf-8") as file:
         style = file.read()
     return ("<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8>"
@@ -77,18 +81,19 @@ def wrap_page(title, body, tool="report"):
             f"</head><body>{body}</body></html>\n")
 
 
-def _make_subtitle(runs):
+def _make_subtitle(runs: list[Run]) -> str:
     folders = ", ".join(os.path.abspath(run.folder) for run in runs)
-    units = f" Units of the deck: {runs[0].units.text}." if runs[0].units else " The deck names no units."
+    system = runs[0].units.text if runs[0].units else ""
+    units = f" Units of the deck: {system}." if system else " The deck names no units."
     others = list(dict.fromkeys(run.original.units.text for run in runs if hasattr(run, "original")))
     if others:
-        units = (f" Units: {runs[0].units.text}. "
+        units = (f" Units: {system}. "
                  f"Deck, materials and texts of warnings have those of the deck: {'; '.join(others)}.")
     return (f"<p class=soft>{escape(folders)}. "
             f"Written {time.strftime('%Y-%m-%d %H:%M UTC', time.gmtime())}.{escape(units)}</p>")
 
 
-def _list_findings(run):
+def _list_findings(run: Run) -> str:
     items = "".join(f"<li class={finding.level}>{escape(finding.text)}</li>" for finding in find_findings(run))
     return f"<ul class=findings>{items}</ul>"
 
@@ -96,7 +101,7 @@ def _list_findings(run):
 # --- pictures and view ------------------------------------------------------------------------------------------------
 
 
-def _make_pictures(runs, labels, options):
+def _make_pictures(runs: list[Run], labels: list[str], options: Any) -> str:
     """Of each run with fields; runs that show one field share the range of its colours."""
     drawn = [(run, label) for run, label in zip(runs, labels) if run.has_fields]
     names = [_choose_field(run.fields, options.field) for run, _ in drawn]
@@ -115,13 +120,14 @@ def _make_pictures(runs, labels, options):
     return text
 
 
-def _choose_field(fields, wanted):
+def _choose_field(fields: Fields, wanted: str | None) -> str:
     name = choose_field(fields, wanted)
     check_field(fields, name)
     return name
 
 
-def _show_pictures(fields, name, worst, frames, options, shared):
+def _show_pictures(fields: Fields, name: str, worst: Worst | None, frames: list[int], options: Any,
+                   shared: str | None) -> str:
     """worst: None of a field whose largest value says nothing, such as the number of the part."""
     extreme = sentence = ""
     if worst is not None:
@@ -147,17 +153,17 @@ def _show_pictures(fields, name, worst, frames, options, shared):
         is_worst = worst is not None and frame == worst.frame
         text = f"{words.capitalize()}: {clock}, frame {frame}" + (f"; {extreme}" if is_worst else "")
         shown += _show_picture(pictures[frame], text)
-        if is_worst and alone and differ(pictures[frame], alone[frame]):
+        if worst is not None and frame in alone and differ(pictures[frame], alone[frame]):
             shown += _show_picture(alone[frame], f"The same without other parts: {worst.part}")
     return f"<div class=pictures>{shown}</div>"
 
 
-def _show_picture(picture, text):
+def _show_picture(picture: str, text: str) -> str:
     return (f"<figure><img alt='{escape(text)}' src='data:image/jpeg;base64,{picture}'>"
             f"<figcaption>{escape(text)}</figcaption></figure>")
 
 
-def _make_view(run, options):
+def _make_view(run: Run, options: Any) -> str:
     if not run.has_fields or not options.interactive:
         return ""
     about, data, reduced_by = pack_view(run.fields, [choose_field(run.fields, options.field)])
@@ -168,14 +174,14 @@ def _make_view(run, options):
 # --- plots and tables -------------------------------------------------------------------------------------------------
 
 
-def _histories(runs):
+def _histories(runs: list[Run]) -> list[History]:
     """Histories in the units of the first run."""
     units = runs[0].units
     return [run.history.in_units(units) if units and run.units and run.units.text != units.text else run.history
             for run in runs]
 
 
-def _make_plots(runs, labels):
+def _make_plots(runs: list[Run], labels: list[str]) -> str:
     shown = [(run, label) for run, label in zip(runs, labels) if run.has_history and len(run.history) > 1]
     if not shown:
         return "<p class=soft>There is no history to draw (output.history of the deck).</p>"
@@ -197,7 +203,7 @@ def _make_plots(runs, labels):
     return f"<div class=plots>{figures}</div>{text}"
 
 
-def _make_peaks(run):
+def _make_peaks(run: Run) -> str:
     history = run.history
     rows = []
     unit, factor = choose_time_unit(history.unit("time"), float(history["time"][-1]) if len(history) else 0)
@@ -209,7 +215,7 @@ def _make_peaks(run):
     return "<h3>Largest and least values of rows</h3>" + make_table(heading, rows, (2, 3, 4, 5)) if rows else ""
 
 
-def _make_scene(run, label, several):
+def _make_scene(run: Run, label: str, several: bool) -> str:
     text = f"<h3>{escape(label)}</h3>" * several + scene.make_parts_table(run)
     if several:
         return text
@@ -217,7 +223,7 @@ def _make_scene(run, label, several):
             + scene.make_loads_table(run.deck) + scene.make_deck_section(run.deck))
 
 
-def _make_comparison(runs, labels):
+def _make_comparison(runs: list[Run], labels: list[str]) -> str:
     text = comparison.make_bits_text(runs)
     if all(run.summary for run in runs):
         text += comparison.make_summary_table(runs, labels)

@@ -9,6 +9,7 @@ import tempfile
 import numpy as np
 
 from percuss.render.ranges import choose_bar, find_ends
+from percuss.results.fields import Fields
 from percuss.tools import start_tool
 
 SIZE = "960x540"
@@ -16,18 +17,18 @@ SAME_PICTURE = 0.5  # mean difference of colours, of 255, up to which two pictur
 QUALITY = 88  # of JPEG: about 60 kB a picture
 
 
-def choose_field(fields, wanted=None):
+def choose_field(fields: Fields, wanted: str | None = None) -> str:
     """What colours show, where the user names nothing."""
     names = fields.names()
     first = ("von_mises", "stress", "equivalent_plastic_strain", "velocity")
-    return wanted or next((name for name in first if name in names), "part")
+    return wanted if wanted else next((name for name in first if name in names), "part")
 
 
 class Worst:
     """The frame in which a field is largest. Attributes: frame, value, item (index), place (node or element), part (its
     name, where another part may hide it; else empty), text."""
 
-    def __init__(self, fields, name):
+    def __init__(self, fields: Fields, name: str) -> None:
         self.frame, self.value, self.item, self.place = 0, -np.inf, 0, fields.names()[name]
         for frame in range(len(fields.times)):
             values = fields.values(name, frame)
@@ -43,7 +44,7 @@ class Worst:
         self.text = f"{self.place} {ids[self.item]}" + (f" of part '{name}'" if name else "")
 
 
-def find_range(runs_fields, name, frames_of):
+def find_range(runs_fields: list[Fields], name: str, frames_of: list[list[int]]) -> str | None:
     """'LOW:HIGH' of the colours of several runs: of what their pictures show.
     None of one run, whose range percuss render finds."""
     if len(runs_fields) < 2:
@@ -57,7 +58,7 @@ def find_range(runs_fields, name, frames_of):
     return f"{float(low)!r}:{float(high)!r}"
 
 
-def draw_pictures(fields, name, frames, options):
+def draw_pictures(fields: Fields, name: str, frames: list[int], options: dict[str, str | None]) -> dict[int, str]:
     """{frame: JPEG as text of base 64}, all with one range of colours. options: view, range,
     units and part, each None or a text. RuntimeError with the reason if there are none."""
     with tempfile.TemporaryDirectory() as folder:
@@ -70,7 +71,7 @@ def draw_pictures(fields, name, frames, options):
         return {frame: _encode(os.path.join(folder, f"frame_{frame:04d}.png")) for frame in set(frames)}
 
 
-def differ(one, other):
+def differ(one: str, other: str) -> bool:
     """Whether two pictures of draw_pictures show different things: more than round-off of their colours."""
     from PIL import Image
 
@@ -78,7 +79,7 @@ def differ(one, other):
     return values[0].shape != values[1].shape or float(np.abs(values[0] - values[1]).mean()) > SAME_PICTURE
 
 
-def _encode(path):
+def _encode(path: str) -> str:
     from PIL import Image
 
     stream = io.BytesIO()

@@ -1,8 +1,14 @@
 """What was run: facts, parts, materials, deck."""
 
+from collections.abc import Mapping
+from typing import Any
+
 import numpy as np
 
 from percuss.render.colors import PART_COLORS
+from percuss.results.arrays import Array
+from percuss.results.deck import Deck
+from percuss.results.run import Run
 from percuss.results.units import choose_time_unit
 from percuss.watch.screen import format_duration
 
@@ -11,11 +17,11 @@ from .markup import Markup, escape, fold, format_number, make_table, show_deck, 
 KINDS = ("beams", "triangles", "quadrilaterals", "tetrahedra", "pyramids", "wedges", "hexahedra")
 
 
-def unit_of(run, quantity):
+def unit_of(run: Run, quantity: str) -> str:
     return run.units.name_of(quantity) if run.units else ""
 
 
-def make_facts(run):
+def make_facts(run: Run) -> str:
     """The boxes at the top."""
     summary = run.summary
     if not summary:
@@ -39,7 +45,7 @@ def make_facts(run):
     return f"<div class=facts>{cells}</div>"
 
 
-def make_parts_table(run):
+def make_parts_table(run: Run) -> str:
     if not run.has_fields:
         return "<p class=soft>There are no fields (output.fields), so that the mesh is not shown.</p>"
     fields, length = run.fields, unit_of(run, "length")
@@ -64,7 +70,7 @@ def make_parts_table(run):
     return make_table([heading[c] for c in kept], [[row[c] for c in kept] for row in rows], numbers=(2,))
 
 
-def find_kind(corners):
+def find_kind(corners: Array) -> int:
     """Place of a cell among KINDS, from its padded form."""
     different = len(set(corners))
     if corners[0] == corners[4]:
@@ -72,7 +78,7 @@ def find_kind(corners):
     return {4: 3, 5: 4, 6: 5}.get(different, 6)
 
 
-def make_materials_table(deck):
+def make_materials_table(deck: Deck) -> str:
     materials = deck.get_map("materials")
     if not materials:
         return ""
@@ -82,7 +88,7 @@ def make_materials_table(deck):
     return "<h3>Materials</h3>" + make_table(("material", "model", "constants, in the units of the deck"), rows)
 
 
-def make_loads_table(deck):
+def make_loads_table(deck: Deck) -> str:
     """What moves, holds and touches."""
     rows = []
     for key in ("imperfections", "added_mass", "initial", "conditions", "loads", "gravity", "walls", "contact", "ties",
@@ -93,7 +99,7 @@ def make_loads_table(deck):
     return "<h3>Motion, supports, contact</h3>" + make_table(("key", "value"), rows) if rows else ""
 
 
-def make_relaxation_table(run):
+def make_relaxation_table(run: Run) -> str:
     """What the damped steps before time 0 did."""
     relaxation = run.summary.get("relaxation") or {}
     if not relaxation.get("state"):
@@ -117,7 +123,7 @@ def make_relaxation_table(run):
     return "<h3>Relaxation before time 0</h3>" + make_table(None, rows)
 
 
-def make_deck_section(deck):
+def make_deck_section(deck: Deck) -> str:
     """The values that were run; comments of the file are not among them."""
     if not deck:
         return ("<p class=soft>The deck is not known: neither summary.json nor a checkpoint has it "
@@ -126,7 +132,7 @@ def make_deck_section(deck):
     return fold(f"Deck as it was run: {deck.file or 'values of the checkpoint'}{settings}", show_deck(deck.text))
 
 
-def flatten(tree, prefix=""):
+def flatten(tree: Mapping[str, Any], prefix: str = "") -> list[tuple[str, Any]]:
     """[('time.end', 0.1) ...] of a tree of dictionaries; lists stay whole."""
     rows = []
     for key, value in tree.items():
@@ -137,11 +143,11 @@ def flatten(tree, prefix=""):
     return rows
 
 
-def make_cost_section(summary):
+def make_cost_section(summary: dict[str, Any]) -> str:
     """Where the time went, and what was skipped."""
     loop = summary["loop_s"] or 1
     phases = [(name.replace("_", " "), f"{seconds:.3g} s", f"{100 * seconds / loop:.1f} %")
-              for name, seconds in sorted(summary["phases_s"].items(), key=lambda item: -item[1]) if seconds > 0]
+              for name, seconds in sorted(summary["phases_s"].items(), key=lambda item: float(-item[1])) if seconds > 0]
     skipped = [(name.replace("_", " "), f"{100 * share:.1f} %") for name, share in summary["skipped"].items()]
     rows = [("set-up, loop", f"{summary['setup_s']:.3g} s, {summary['loop_s']:.3g} s")]
     earlier = summary.get("earlier") or {"runs": 0}

@@ -4,8 +4,11 @@ import math
 
 import numpy as np
 
+from percuss.results.arrays import Array
 from percuss.results.extremes import find_size
 from percuss.results.filters import filter_cfc, find_cutoff, resample
+from percuss.results.history import History
+from percuss.results.run import Run
 from percuss.results.units import choose_time_unit
 
 from .markup import make_table, with_unit
@@ -15,17 +18,17 @@ PERIODS_AT_REST = 10  # of the cut-off frequency, before and after the signal
 GRAVITY = 9.80665  # standard, in m/s2: peaks are given in g, too
 
 
-def list_accelerometers(history):
+def list_accelerometers(history: History) -> list[str]:
     """Names of output.history.accelerometers, in the order of their columns."""
     return [name[len("local_ax:") :] for name in history if name.startswith("local_ax:")]
 
 
-def find_accelerations(history, name):
+def find_accelerations(history: History, name: str) -> Array:
     """[rows][3], along the moving axes: means over the time since the row before."""
     return np.stack([np.asarray(history[f"local_a{axis}:{name}"]) for axis in "xyz"], axis=1)
 
 
-def find_filtered_peak(history, name):
+def find_filtered_peak(history: History, name: str) -> tuple[float, float, Array]:
     """(largest resultant of the filtered components, its time, largest magnitude of each component). Before the first
     row and after the last one nothing acts: an end within a vibration gives no peak, and an impact at time 0 keeps its
     own. ValueError where rows are too far apart, or the deck names no units: the filter is one of seconds."""
@@ -40,7 +43,7 @@ def find_filtered_peak(history, name):
     return float(size[top]), float(time[top]), np.abs(filtered).max(axis=0)
 
 
-def make_accelerometers_table(run):
+def make_accelerometers_table(run: Run) -> str:
     """A row for each accelerometer: the peak of the filtered resultant and its time, components,
     and the peak without filter."""
     history = run.history
@@ -49,13 +52,14 @@ def make_accelerometers_table(run):
         return ""
     unit, (shown_unit, factor) = (history.unit(f"local_ax:{names[0]}"),
                                   choose_time_unit(history.unit("time"), float(history["time"][-1])))
+    in_si = history.units.in_si("acceleration") if history.units else 1.0
     rows, troubles = [], []
     for name in names:
         raw = np.linalg.norm(find_accelerations(history, name), axis=1)
         cells = [""] * 6
         try:
             peak, time, parts = find_filtered_peak(history, name)
-            cells = [_show(peak, unit), f"{peak * history.units.in_si('acceleration') / GRAVITY:.4g}",
+            cells = [_show(peak, unit), f"{peak * in_si / GRAVITY:.4g}",
                      _show(time * factor, shown_unit), *(_show(part, unit) for part in parts)]
         except ValueError as error:
             troubles.append(f"{name}: {error}.")
@@ -73,5 +77,5 @@ def make_accelerometers_table(run):
     return text + f"<p class=soft>{' '.join([soft, *dict.fromkeys(troubles)])}</p>"
 
 
-def _show(value, unit):
+def _show(value: float, unit: str) -> str:
     return with_unit(float(f"{value:.4g}"), unit)

@@ -1,23 +1,29 @@
 """Tables of energies and forces for the terminal: percuss info DIR --energies --forces."""
 
+from collections.abc import Iterator, Sequence
+
 import numpy as np
 
+from percuss.results.arrays import Array
 from percuss.results.extremes import find_top
+from percuss.results.history import History
+from percuss.results.run import Run
 
 from .forces import describe_kind, find_force, find_impulse, list_forces
 
+Rows = tuple[tuple[str, ...], list[tuple[str, ...]]]  # heading, rows
 ENERGIES = ("kinetic", "internal", "hourglass", "viscous", "folding", "contact", "friction", "damping", "external",
             "eroded_energy", "contact_stored", "added_energy", "spring_work", "damper_work", "glue_work",
             "glue_dissipated", "weld_work", "equal_work")
 OF_PARTS = ("kinetic", "internal", "hourglass", "viscous", "folding", "eroded_energy")
 
 
-def list_energies(run, history):
+def list_energies(run: Run, history: History) -> Rows:
     """(heading, rows): of the scene, then of parts and blocks."""
     names = [name for name in ENERGIES if name in history]
     names += [name for name in history if name.partition(":")[0] in OF_PARTS and ":" in name]
     names += [name for name in history if name.startswith(("contact:", "friction:", "body_kinetic:"))]
-    rows = []
+    rows: list[tuple[str, ...]] = []
     for name in names:
         values = history[name]
         if not np.isfinite(values).any():
@@ -33,7 +39,7 @@ def list_energies(run, history):
     return ("energy", "first", "last", "smallest", "at time", "largest", "at time", "unit"), rows
 
 
-def list_forces_in_rows(run, history):
+def list_forces_in_rows(run: Run, history: History) -> Rows:
     """(heading, rows). Forces of output.history.forces are means between rows, whose impulse is exact; of the others it
     is the integral of values of single steps, and marked."""
     rows = []
@@ -48,7 +54,7 @@ def list_forces_in_rows(run, history):
     return heading, rows
 
 
-def _list_vectors(history):
+def _list_vectors(history: History) -> Iterator[tuple[str, str, Array]]:
     """[(name, kind, [rows][3 or 1])] of what has a value of each step alone."""
     if "wall_force_x" in history:
         yield "wall_force", "all walls", _stack(history, "wall_force_{}")
@@ -62,16 +68,16 @@ def _list_vectors(history):
             yield name, kind, history[start + name][:, None]
 
 
-def _stack(history, pattern):
+def _stack(history: History, pattern: str) -> Array:
     return np.stack([history[pattern.format(axis)] if pattern.format(axis) in history else np.zeros(len(history))
                      for axis in "xyz"], axis=1)
 
 
-def _integrate(time, force):
-    return (0.5 * (force[1:] + force[:-1]) * np.diff(time)[:, None]).sum(axis=0)
+def _integrate(time: Array, force: Array) -> Array:
+    return np.asarray((0.5 * (force[1:] + force[:-1]) * np.diff(time)[:, None]).sum(axis=0))
 
 
-def _row(history, name, kind, force, impulse, mark):
+def _row(history: History, name: str, kind: str, force: Array, impulse: Array, mark: str) -> tuple[str, ...]:
     size = np.linalg.norm(force, axis=1)
     size = np.where(np.isfinite(size), size, 0)
     top, span = int(np.argmax(size)), history["time"][-1] - history["time"][0]
@@ -80,16 +86,16 @@ def _row(history, name, kind, force, impulse, mark):
     return name, kind, _show(size[top]), _show(history["time"][top]), *shown, _show(mean), _show(size[-1])
 
 
-def _show(value):
+def _show(value: float) -> str:
     return f"{value:.5g}"
 
 
-def write_table(heading, rows):
+def write_table(heading: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     """Columns of equal width; the first two and the last at the left where they are words."""
     cells = [heading, *rows]
     widths = [max(len(str(row[column])) for row in cells) for column in range(len(heading))]
 
-    def is_word(column):
+    def is_word(column: int) -> bool:
         return column == 0 or heading[column] in ("of", "unit")
 
     lines = ["  ".join(str(cell).ljust(width) if is_word(column) else str(cell).rjust(width)

@@ -2,6 +2,7 @@
 
 import argparse
 import os
+from typing import NoReturn
 
 from percuss.libraries import require
 from percuss.terminal import fail as end
@@ -31,7 +32,7 @@ scripts/install_dependencies --report installs all of it. Where VTK or three.js 
 """
 
 
-def parse_arguments(words):
+def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="percuss report", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Writes DIR/report.html about a run; of several runs a comparison.")
@@ -58,7 +59,7 @@ def parse_arguments(words):
     return parser.parse_intermixed_args(join_view(words))
 
 
-def join_view(words):
+def join_view(words: list[str]) -> list[str]:
     """argparse takes -50:22 for an option."""
     joined = list(words)
     for place in range(len(joined) - 2, -1, -1):
@@ -67,11 +68,11 @@ def join_view(words):
     return joined
 
 
-def fail(message):
+def fail(message: object) -> NoReturn:
     end("report", message)
 
 
-def main(words):
+def main(words: list[str]) -> None:
     arguments = parse_arguments(words)
     require("reports need", NEEDS)
     import percuss

@@ -3,7 +3,7 @@
 import shlex
 
 
-def write_job_array(words, count, at_once, threads):
+def write_job_array(words: list[str], count: int, at_once: int, threads: int) -> str:
     """words: the command, without --job-array.
     The table follows when the same command is called after the array has ended."""
     command = shlex.join(words)

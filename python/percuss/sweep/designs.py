@@ -4,6 +4,7 @@ import csv
 import itertools
 import math
 import re
+from collections.abc import Iterable, Mapping, Sequence
 
 from ..errors import NotResults
 from ..files import read_text
@@ -21,11 +22,12 @@ class Factor:
     """Keys of the deck that have one value together. values: texts; empty of a range, which a sample fills. low, high:
     of a range; is_log: its logarithm is evenly spread; is_whole: it has whole numbers alone."""
 
-    def __init__(self, name, values=(), low=0.0, high=0.0, is_log=False, is_whole=False):
+    def __init__(self, name: str, values: Iterable[str] = (), low: float = 0.0, high: float = 0.0, is_log: bool = False,
+                 is_whole: bool = False) -> None:
         self.name, self.values = name, list(values)
         self.low, self.high, self.is_log, self.is_whole = low, high, is_log, is_whole
 
-    def place(self, share):
+    def place(self, share: float) -> str:
         """The value at a share, from 0 up to 1, of the way through the factor."""
         if self.values:
             return self.values[min(int(share * len(self.values)), len(self.values) - 1)]
@@ -38,19 +40,19 @@ class Factor:
 class Design:
     """number: from 1. inputs: {factor: text of its value}."""
 
-    def __init__(self, number, inputs):
+    def __init__(self, number: int, inputs: dict[str, str]) -> None:
         self.number, self.inputs = number, inputs
 
     @property
-    def settings(self):
+    def settings(self) -> list[str]:
         """What --set takes."""
         return [f"{key}={value}" for name, value in self.inputs.items() for key in split_outside(name)]
 
-    def __str__(self):
+    def __str__(self) -> str:
         return ", ".join(f"{name}={value}" for name, value in self.inputs.items())
 
 
-def split_outside(text, separator=","):
+def split_outside(text: str, separator: str = ",") -> list[str]:
     """Pieces between separators that stand in no bracket and in no quotes: ['[8, 8]', '3'] of '[8, 8],3'."""
     pieces, depth, quote, start = [], 0, "", 0
     for place, c in enumerate(text):
@@ -68,7 +70,7 @@ def split_outside(text, separator=","):
     return [piece.strip() for piece in [*pieces, text[start:]]]
 
 
-def parse_factor(text):
+def parse_factor(text: str) -> Factor:
     """'a.b=1,2,3', 'a.b=5..9:5' (evenly spaced), 'a.b=1e3..1e6:4:log', 'a.b=5..9' (a range, for samples),
     'a.b,c.d=1,2' (together)."""
     name, equals, words = text.partition("=")
@@ -86,7 +88,7 @@ def parse_factor(text):
     return Factor(name, values)
 
 
-def _parse_range(name, text, match):
+def _parse_range(name: str, text: str, match: re.Match[str]) -> Factor:
     try:
         low, high = float(match[1]), float(match[2])
     except ValueError:
@@ -112,7 +114,7 @@ def _parse_range(name, text, match):
     return factor
 
 
-def _round(factor, share):
+def _round(factor: Factor, share: float) -> str:
     if factor.is_whole:
         return str(round(factor.low + share * (factor.high - factor.low)))
     if factor.is_log:
@@ -120,13 +122,13 @@ def _round(factor, share):
     return f"{factor.low + share * (factor.high - factor.low):.10g}"
 
 
-def check_names(names):
+def check_names(names: Iterable[str]) -> None:
     keys = [key for name in names for key in name.split(",")]
     if twice := next((key for key in keys if keys.count(key) > 1), None):
         raise BadDesign(f"'{twice}' varies twice")
 
 
-def cross(factors):
+def cross(factors: Sequence[Factor]) -> list[Design]:
     """Every combination of the values; the last factor varies fastest."""
     check_names([factor.name for factor in factors])
     if no_values := next((factor for factor in factors if not factor.values), None):
@@ -138,7 +140,7 @@ def cross(factors):
             for number, values in enumerate(itertools.product(*(factor.values for factor in factors)), 1)]
 
 
-def parse_sample(text):
+def parse_sample(text: str) -> tuple[str, int]:
     """'lhs:20' or 'sobol:16'."""
     kind, _, count = text.partition(":")
     if kind not in SAMPLES or not count.isdigit() or not 1 <= int(count) <= MOST_DESIGNS:
@@ -146,7 +148,7 @@ def parse_sample(text):
     return kind, int(count)
 
 
-def sample(factors, text, seed=0):
+def sample(factors: Sequence[Factor], text: str, seed: int = 0) -> list[Design]:
     """A Latin hypercube, or Sobol's sequence (scrambled; it fills best with a power of two of designs). Of a list of
     values each has the same share."""
     from scipy.stats import qmc
@@ -161,7 +163,7 @@ def sample(factors, text, seed=0):
             for number, row in enumerate(shares, 1)]
 
 
-def read_designs(path):
+def read_designs(path: str) -> list[Design]:
     """Of a CSV file: keys in the heading, a design in each line. Lines that begin with # are left out."""
     lines = [line for line in read_text(path).splitlines() if line.strip() and not line.lstrip().startswith("#")]
     try:
@@ -183,6 +185,6 @@ def read_designs(path):
     return [Design(number, dict(zip(names, row))) for number, row in enumerate(rows[1:], 1)]
 
 
-def make_designs(values):
+def make_designs(values: Mapping[str, Iterable[object]]) -> list[Design]:
     """Every combination of {key: list of values}, for use from Python."""
     return cross([Factor(name, [str(value) for value in choices]) for name, choices in values.items()])

@@ -3,7 +3,7 @@
 import os
 
 
-def count_cores():
+def count_cores() -> int:
     """Cores that this process may use: affinity and the quota of a container both count,
     as in scripts/available_cores."""
     cores = len(os.sched_getaffinity(0))
@@ -15,7 +15,7 @@ def count_cores():
         return cores
 
 
-def find_free_memory():
+def find_free_memory() -> int | None:
     """Bytes that new processes may take, by the machine and by the limit of a container; None where it is not known."""
     free = _read_field("/proc/meminfo", "MemAvailable")
     try:
@@ -27,13 +27,13 @@ def find_free_memory():
         return free
 
 
-def find_memory(process):
+def find_memory(process: int) -> tuple[int, int]:
     """(bytes now, largest so far) of a process; zeros where it has ended."""
     path = f"/proc/{process}/status"
     return _read_field(path, "VmRSS") or 0, _read_field(path, "VmHWM") or 0
 
 
-def _read_field(path, name):
+def _read_field(path: str, name: str) -> int | None:
     try:
         with open(path, encoding="ascii", errors="replace") as file:
             return next((1024 * int(line.split()[1]) for line in file if line.startswith(name + ":")), None)

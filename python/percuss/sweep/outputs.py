@@ -1,6 +1,11 @@
 """Outputs of a run in the table of a sweep: columns of its history and expressions of them."""
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
+
+from percuss.results.run import Run
 
 from ..errors import NotResults
 from ..results.expressions import BadExpression, split_label, split_unit
@@ -18,14 +23,14 @@ class Output:
     a number gives one column of the table; what has a value in each row gives three: LABEL.peak (of the largest
     magnitude, with its sign), LABEL.mean (over time), LABEL.last."""
 
-    def __init__(self, text):
+    def __init__(self, text: str) -> None:
         self.word = text
         self.label, self.text = split_label(text)
         self.note = ""  # what the user is told of its unit, when it has been read
         if self.label != self.text:
             self.label = split_unit(self.label)[0]
 
-    def read(self, history):
+    def read(self, history: History) -> dict[str, tuple[float, str]]:
         """{column: (number, unit)}. BadExpression where it cannot be computed."""
         value = read_labelled(history, self.word)
         self.note = value.note
@@ -43,7 +48,7 @@ class Output:
         return {f"{self.label}.{way}": (number, unit) for way, number in zip(WAYS, numbers)}
 
 
-def list_default_outputs(history):
+def list_default_outputs(history: History) -> list[Output]:
     """The largest resultant of each force, then the energies at the end."""
     forces = [name.partition(":")[2]
               for name in history if name.startswith("fx:") and name.replace("fx", "fy", 1) in history]
@@ -51,7 +56,7 @@ def list_default_outputs(history):
     return found + [Output(f"{name} = last({name})") for name in ("kinetic", "internal") if name in history]
 
 
-def read_outputs(run, outputs):
+def read_outputs(run: Run, outputs: Sequence[Output]) -> dict[str, tuple[float, str]]:
     """{column: (number, unit)} of a run. outputs: empty for those by default."""
     history = run.history
     found = {}
@@ -60,7 +65,7 @@ def read_outputs(run, outputs):
     return found
 
 
-def judge_outputs(outputs, scene):
+def judge_outputs(outputs: Sequence[Output], scene: dict[str, Any]) -> None:
     """BadExpression or NotResults where outputs cannot be computed of the history that a run will write.
     scene: percuss check --json."""
     columns = scene["columns"]

@@ -1,6 +1,8 @@
 """One page about a sweep: table, main effects over the designs, correlation."""
 
 import time
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib import rc_context
@@ -13,11 +15,13 @@ from percuss.report.page import wrap_page
 from percuss.sweep.statistics import correlate, find_main_effect, place_inputs, rank
 from percuss.sweep.table import name_rules
 
+from .table import Row, Table
+
 MOST_FIGURES, MOST_INPUTS = 24, 8  # outputs and inputs that are drawn; the table and the file have all
 MOST_LABELS, LONGEST_LABEL, MOST_NUMBERS = 12, 18, 20
 
 
-def make_page(deck, table, links):
+def make_page(deck: str, table: Table, links: dict[int, str]) -> str:
     """links: {number of a design: path of its report}."""
     done = [row for row in table.rows if row.state == "completed"]
     sections = [("table", "Designs", _make_table(table, links)), ("warnings", "Warnings", _list_warnings(table)),
@@ -30,7 +34,7 @@ def make_page(deck, table, links):
     return wrap_page(f"Sweep of {deck}", "".join(parts), "sweep")
 
 
-def _tell(table, done):
+def _tell(table: Table, done: list[Row]) -> str:
     clock = time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime())
     rest = {state: sum(row.state == state for row in table.rows)
             for state in ("failed", "refused", "interrupted", "elsewhere", "waiting")}
@@ -41,7 +45,7 @@ def _tell(table, done):
     return f"<p class=soft>{len(table.rows)} designs: {len(done)} completed{escape(words)}. Written {clock}.</p>"
 
 
-def _list_warnings(table):
+def _list_warnings(table: Table) -> str:
     """Each rule with its designs, and what it says of the first of them."""
     warned = table.list_warned()
     if not warned:
@@ -50,12 +54,12 @@ def _list_warnings(table):
     return make_table(["rule", "count", "designs", "in the first of them"], rows)
 
 
-def shorten(numbers):
+def shorten(numbers: Sequence[int]) -> str:
     """The first of many numbers."""
     return ", ".join(map(str, numbers[:MOST_NUMBERS])) + (", ..." if len(numbers) > MOST_NUMBERS else "")
 
 
-def _make_table(table, links):
+def _make_table(table: Table, links: dict[int, str]) -> str:
     """Numbers are shown with six digits; the file sweep.csv has all."""
     named = [f"{name} [{unit}]" if unit else name for name, unit in table.outputs.items()]
     heading = ["design", *table.inputs, *named, "state", "energy error", "time [s]", "warnings"]
@@ -72,7 +76,7 @@ def _make_table(table, links):
     return "<div style='overflow-x:auto'>" + make_table(heading, rows, (*range(1, first + len(named)),)) + "</div>"
 
 
-def _draw_effects(table, done):
+def _draw_effects(table: Table, done: list[Row]) -> str:
     if len(done) < 2:
         return "<p class=soft>At least two completed designs are needed.</p>"
     inputs, outputs = _list_varied(table, done)[:MOST_INPUTS], list(table.outputs)[:MOST_FIGURES]
@@ -86,11 +90,11 @@ def _draw_effects(table, done):
             f"<div class=plots>{figures}</div>{note}")
 
 
-def _list_varied(table, done):
+def _list_varied(table: Table, done: list[Row]) -> list[str]:
     return [name for name in table.inputs if len({row.inputs[name] for row in done}) > 1]
 
 
-def _draw_output(name, unit, inputs, done):
+def _draw_output(name: str, unit: str, inputs: list[str], done: list[Row]) -> Any:
     with rc_context(SETTINGS):
         figure = Figure(figsize=(max(3.2, 2.5 * len(inputs) + 0.7), 2.9), constrained_layout=True)
         FigureCanvasAgg(figure)
@@ -114,7 +118,7 @@ def _draw_output(name, unit, inputs, done):
     return figure
 
 
-def _make_correlation(table, done):
+def _make_correlation(table: Table, done: list[Row]) -> str:
     """Pearson's coefficient, and that of the ranks, of each output with each input."""
     inputs = _list_varied(table, done)
     if len(done) < 3 or not inputs:
@@ -132,7 +136,7 @@ def _make_correlation(table, done):
             + make_table(["output", *inputs], rows, range(1, 1 + len(inputs))))
 
 
-def _show(of_values, of_ranks):
+def _show(of_values: float, of_ranks: float) -> str:
     if not np.isfinite(of_values):
         return "-"
     color = "209,73,91" if of_values > 0 else "31,111,178"

@@ -1,14 +1,22 @@
 """Runs designs of a deck and shows how results depend on them. percuss sweep --help says how."""
 
+from __future__ import annotations
+
 import argparse
 import os
 import signal
 import subprocess
 import sys
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from percuss.libraries import require
 from percuss.terminal import fail as end
 from percuss.tools import start_tool
+
+if TYPE_CHECKING:
+    from percuss.sweep.designs import Design
+    from percuss.sweep.outputs import Output
+    from percuss.sweep.study import Result
 
 NEEDS = ("numpy", "h5py", "matplotlib")
 WISHES = ("scipy",)  # of --sample
@@ -43,7 +51,7 @@ See docs/sweep.md.
 """
 
 
-def parse_arguments(words):
+def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="percuss sweep", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Runs a deck with many values, and writes a table and a page about the results.")
@@ -73,17 +81,17 @@ def parse_arguments(words):
     return parser.parse_args(words, argparse.Namespace(words=words))
 
 
-def parse_count(text):
+def parse_count(text: str) -> int:
     if not text.isdigit() or int(text) < 1:
         raise argparse.ArgumentTypeError(f"'{text}' is no number from 1 up")
     return int(text)
 
 
-def fail(message, code=2):
+def fail(message: object, code: int = 2) -> NoReturn:
     end("sweep", message, code)
 
 
-def choose_designs(arguments):
+def choose_designs(arguments: argparse.Namespace) -> list[Design]:
     from percuss.sweep import designs
 
     if arguments.designs:
@@ -102,10 +110,10 @@ class Teller:
     """Tells of each design that has ended, with its warnings.
     Stops before the first run where outputs cannot be computed of its history."""
 
-    def __init__(self, count, outputs):
+    def __init__(self, count: int, outputs: list[Output]) -> None:
         self.count, self.outputs, self.ended = count, outputs, 0
 
-    def judge(self, scene):
+    def judge(self, scene: dict[str, Any]) -> None:
         from percuss.sweep.outputs import judge_outputs
         from percuss.terminal import print_text
 
@@ -114,7 +122,7 @@ class Teller:
             if output.note:
                 print_text(f"sweep: {output.note}", sys.stderr)
 
-    def follow(self, result):
+    def follow(self, result: Result) -> None:
         from percuss.sweep.table import name_rules
         from percuss.terminal import print_text
 
@@ -126,7 +134,7 @@ class Teller:
                    + (f" ({'; '.join(notes)})" if notes else ""), flush=True)
 
 
-def write_results(arguments, folder, results, outputs):
+def write_results(arguments: argparse.Namespace, folder: str, results: list[Result], outputs: list[Output]) -> None:
     from percuss.files import write_file
     from percuss.sweep.page import make_page
     from percuss.sweep.table import Table
@@ -149,7 +157,7 @@ def write_results(arguments, folder, results, outputs):
         fail("no design has completed", 3)
 
 
-def write_report(folder):
+def write_report(folder: str) -> None:
     """A report that is newer than the run stays."""
     report, summary = (os.path.join(folder, name) for name in ("report.html", "summary.json"))
     if os.path.exists(report) and os.path.getmtime(report) >= os.path.getmtime(summary):
@@ -161,7 +169,7 @@ def write_report(folder):
         print_text(f"sweep: no report of {folder}: {done.stderr.strip()[-300:]}", sys.stderr)
 
 
-def sweep(arguments):
+def sweep(arguments: argparse.Namespace) -> None:
     from percuss.sweep.cluster import write_job_array
     from percuss.sweep.outputs import Output
     from percuss.sweep.study import Study
@@ -198,7 +206,7 @@ def sweep(arguments):
     write_results(arguments, folder, results, outputs)
 
 
-def main(words):
+def main(words: list[str]) -> None:
     arguments = parse_arguments(words)
     require("sweeps need", (*NEEDS, *(WISHES if arguments.sample else ())))
     from percuss import NotResults

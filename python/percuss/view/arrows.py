@@ -1,21 +1,30 @@
 """Vectors of the view: arrows at some nodes of the surface."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
+from percuss.results.arrays import Array
+from percuss.results.fields import Fields
 from percuss.results.units import choose_unit
+
+if TYPE_CHECKING:
+    from .surface import Content, Shape
 
 MOST_ARROWS, FEWER_ARROWS = 1500, 300  # FEWER: where all does not fit
 SMALL = 0.01  # of the longest one: nodes that never come to that get no arrow
 STEPS = 32767
 
 
-def list_vectors(fields):
+def list_vectors(fields: Fields) -> list[str]:
     """Names of the fields of nodes that have three components."""
-    return [name
-            for name, place in fields.names().items() if place == "node" and fields.data(name, 0).shape[1:] == (3,)]
+    return [name for name, place in fields.names().items()
+            if place == "node" and fields.data(name, 0).shape[1:] == (3,)]
 
 
-def describe_arrows(fields, name, shape, content):
+def describe_arrows(fields: Fields, name: str, shape: Shape, content: Content) -> tuple[dict[str, Any], Array, Array]:
     """(description, [frames][arrows][3] of 16 bits, nodes [arrows] as places in those of the shape)."""
     values = np.stack([np.nan_to_num(fields.data(name, frame)[shape.nodes]) for frame in content.frames]).astype(float)
     size = np.linalg.norm(values, axis=2).max(axis=0)
@@ -28,7 +37,7 @@ def describe_arrows(fields, name, shape, content):
     return described, np.round(values[:, nodes] / (longest or 1) * STEPS).astype(np.int16), nodes
 
 
-def _spread(places, used, most):
+def _spread(places: Array, used: Array, most: int) -> Array:
     """Of these nodes at most so many, evenly over space: one of each cube of a grid."""
     if len(used) <= most:
         return used
@@ -37,5 +46,5 @@ def _spread(places, used, most):
     while True:
         _, first = np.unique(np.floor((places[used] - low) / side).astype(np.int64), axis=0, return_index=True)
         if len(first) <= most:
-            return used[np.sort(first)]
+            return np.asarray(used[np.sort(first)])
         side *= 1.1

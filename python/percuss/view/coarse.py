@@ -3,8 +3,11 @@ Multi-resolution 3D approximations, 1993)."""
 
 import numpy as np
 
+from percuss.results.arrays import Array
 
-def merge_nodes(places, side, corners, owners, parts, visible):
+
+def merge_nodes(places: Array, side: float, corners: Array, owners: Array, parts: Array,
+                visible: Array) -> tuple[Array, Array, Array]:
     """(corners, owners, visible) without faces that have lost their area, and each face once. side: of the cubes. Nodes
     stay where they are: that which is nearest to the middle of its cube's stands for them;
     those of different parts stay apart."""
@@ -25,7 +28,7 @@ def merge_nodes(places, side, corners, owners, parts, visible):
     return _drop_flat_and_double(target[corners], owners, visible, corners[:, 1] == corners[:, 2])
 
 
-def _drop_flat_and_double(corners, owners, visible, beams):
+def _drop_flat_and_double(corners: Array, owners: Array, visible: Array, beams: Array) -> tuple[Array, Array, Array]:
     """Beams keep both ends; a face that has two equal corners is a triangle, with its last corner twice."""
     a, b, c, d = corners.T
     flat = np.where(beams, a == b, (a == c) | (b == d) | ((a == b) & (c == d)) | ((b == c) & (a == d))

@@ -6,6 +6,8 @@ from percuss.render.selection import check_field, choose_parts
 from percuss.report.markup import escape
 from percuss.report.page import wrap_page
 from percuss.report.pictures import choose_field
+from percuss.results.fields import Fields
+from percuss.results.run import Run
 from percuss.terminal import print_text
 
 from .embed import MISSING, describe_view, embed_view
@@ -16,7 +18,7 @@ LARGEST = 40_000_000  # bytes, compressed: 54 MB in the page
 MOST_FIELDS = 6
 
 
-def make_view_page(run, wanted, parts):
+def make_view_page(run: Run, wanted: str | None, parts: list[str] | None) -> tuple[str, list[str]]:
     """(the page, how it is reduced)."""
     if read_library() is None:
         raise ValueError(MISSING)
@@ -32,7 +34,7 @@ def make_view_page(run, wanted, parts):
     return wrap_page(run.title, f"<h1>{escape(run.title)}</h1>{view}", "view"), reduced_by
 
 
-def _choose_fields(fields, wanted):
+def _choose_fields(fields: Fields, wanted: str | None) -> tuple[list[str], list[str]]:
     """(names, names that are left out)."""
     known = {name: place for name, place in fields.names().items() if name not in CATEGORIES}
     if wanted:

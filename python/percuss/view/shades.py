@@ -1,14 +1,23 @@
 """A field of the view: one byte an item and frame, the ends of its bar, and where it is largest."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from percuss.render import colors
 from percuss.render.largest import find_largest
 from percuss.render.ranges import choose_bar, find_ends, find_typical_ends
+from percuss.results.arrays import Array
+from percuss.results.fields import Fields
 from percuss.results.units import choose_unit
 
+if TYPE_CHECKING:
+    from .surface import Content, Shape
 
-def describe_field(fields, name, shape, content):
+
+def describe_field(fields: Fields, name: str, shape: Shape, content: Content) -> tuple[dict[str, Any], Array]:
     """(description, [frames][items] the field in 254 steps between the ends of the bar; 255: no number). Items are the
     nodes or the elements of the shape. Below and above the bar it is its end."""
     place = fields.names()[name]
@@ -28,7 +37,7 @@ def describe_field(fields, name, shape, content):
     return described, np.where(np.isfinite(share), np.round(np.clip(share, 0, 1) * 254), 255).astype(np.uint8)
 
 
-def _tell_largest(fields, name, frame, content, factor):
+def _tell_largest(fields: Fields, name: str, frame: int, content: Content, factor: float) -> dict[str, Any] | None:
     """Of all elements that are shown and alive, also of those inside:
     value, words, place at the start, place in this frame."""
     item, value = find_largest(fields, name, frame, content.kept & fields.alive(frame))
@@ -44,5 +53,5 @@ def _tell_largest(fields, name, frame, content, factor):
     return {"value": f"{value * factor:.4g}", "of": words, "start": _round(places[0]), "now": _round(places[1])}
 
 
-def _round(point):
+def _round(point: Array) -> list[float]:
     return [float(f"{x:.7g}") for x in point]

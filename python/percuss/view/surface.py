@@ -1,15 +1,20 @@
 """The surface over time for the interactive view: quantised, packed and compressed.
 unpack.js reads it in the same order."""
 
+from __future__ import annotations
+
 import base64
 import os
 import zlib
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from percuss.render import colors
 from percuss.render.skin import are_lines, exterior_faces
+from percuss.results.arrays import Array
+from percuss.results.fields import Fields
 from percuss.results.units import format_time
 
 from .arrows import MOST_ARROWS, describe_arrows
@@ -20,11 +25,12 @@ from .walls import describe_walls
 THREE = os.environ.get("PERCUSS_THREE", "/usr/share/javascript/three")  # Debian's libjs-three
 LIBRARY = ("three.min.js", "examples/js/controls/OrbitControls.js")
 VIEWER = ("unpack.js", "surface.js", "section.js", "walls.js", "painter.js", "tools.js", "viewer.js")
+Packed = tuple[dict[str, Any], bytes]
 STEPS = 65535  # of a coordinate over the box of the run
 MOST_VOLUMES = 250_000  # hexahedra whose sections a browser finds while the plane is dragged
 
 
-def read_library():
+def read_library() -> list[str] | None:
     """The text of the library, or None where it is not installed."""
     try:
         texts = []
@@ -36,13 +42,13 @@ def read_library():
         return None
 
 
-def read_text(name):
+def read_text(name: str) -> str:
     """The text of a file beside this one."""
     with open(os.path.join(os.path.dirname(os.path.realpath(__file__)), name), encoding="utf-8") as file:
         return file.read()
 
 
-def read_viewer():
+def read_viewer() -> str:
     """The text of what shows a surface with the library."""
     return "(function () {\n'use strict';\n" + "\n".join(map(read_text, VIEWER)) + "})();\n"
 
@@ -53,15 +59,15 @@ class Content:
     numbers; kept [elements]: which are shown; volumes: whether solids come whole, so that a cut shows their inside;
     merge: the length within which nodes become one (0: none); arrows: how many at most."""
 
-    names: list
-    frames: np.ndarray
-    kept: np.ndarray
-    vectors: tuple = ()
+    names: list[str]
+    frames: Array
+    kept: Array
+    vectors: tuple[str, ...] = ()
     volumes: bool = False
     merge: float = 0.0
     arrows: int = MOST_ARROWS
 
-    def but(self, **changes):
+    def but(self, **changes: Any) -> Content:
         return replace(self, **changes)
 
 
@@ -70,7 +76,7 @@ class Shape:
     both do), elements, owners [faces] (places in elements), visible [frames][faces];
     cells [volumes][8], their cell_owners, and alive [frames][volumes]."""
 
-    def __init__(self, fields, content):
+    def __init__(self, fields: Fields, content: Content) -> None:
         corners, owners, self.visible = _find_faces(fields, content)
         if content.merge:
             corners, owners, self.visible = merge_nodes(fields.positions(0), content.merge, corners, owners,
@@ -89,10 +95,11 @@ class Shape:
         self.erodes = bool((self.visible != self.visible[0]).any() or (self.alive != self.alive[0]).any())
 
 
-def _find_faces(fields, content):
+def _find_faces(fields: Fields, content: Content) -> tuple[Array, Array, Array]:
     """Every face that is outside in some frame [faces][4], its element, and [frames][faces] whether it is seen then."""
-    faces, owners, seen, numbers = [], [], [], {}
-    last, now = None, []
+    faces, owners, seen = list[list[int]](), list[int](), list[list[int]]()
+    numbers: dict[tuple[int, ...], int] = {}
+    last, now = None, list[int]()
     lines = are_lines(fields.hexahedra)
     for frame in content.frames:
         alive = fields.alive(frame) & content.kept
@@ -116,7 +123,7 @@ def _find_faces(fields, content):
     return np.array(faces, dtype=np.int64).reshape(-1, 4), np.array(owners, dtype=int), visible
 
 
-def pack(fields, content):
+def pack(fields: Fields, content: Content) -> Packed:
     """(description, compressed bytes)."""
     frames, shape = content.frames, Shape(fields, content)
     start = fields.positions(0)[shape.nodes]
@@ -148,13 +155,13 @@ def pack(fields, content):
     return about, zlib.compress(b"".join(np.ascontiguousarray(piece).tobytes() for piece in pieces), 7)
 
 
-def _place(fields, frame, nodes, start):
+def _place(fields: Fields, frame: int, nodes: Array, start: Array) -> Array:
     """Positions of nodes; those that have none stay where they started."""
     places = fields.positions(frame)[nodes]
     return np.where(np.isfinite(places), places, start)
 
 
-def _find_box(fields, frames, nodes, start):
+def _find_box(fields: Fields, frames: Array, nodes: Array, start: Array) -> tuple[Array, Array]:
     """(lowest corner, size) of all frames."""
     if not len(nodes):
         return np.zeros(3), np.ones(3)
@@ -164,18 +171,18 @@ def _find_box(fields, frames, nodes, start):
     return low, np.where(high > low, high - low, 1.0)
 
 
-def encode(packed):
+def encode(packed: Packed) -> tuple[dict[str, Any], str]:
     about, data = packed
     return about, base64.b64encode(data).decode("ascii")
 
 
-def _difference(values, kind):
+def _difference(values: Any, kind: type[np.unsignedinteger[Any]]) -> Array:
     """Each row less the row before, in the arithmetic of the type: mostly small numbers, which compress well."""
     values = np.asarray(values).astype(kind)
     return np.concatenate([values[:1], values[1:] - values[:-1]])
 
 
-def _find_changes(whole):
+def _find_changes(whole: Array) -> Array:
     """Bytes of the first frame and of the changes to each next one: all low bytes of a frame, then all high ones, which
     are mostly zeros."""
     flat = _difference(whole, np.uint16).reshape(len(whole), -1)

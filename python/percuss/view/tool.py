@@ -2,6 +2,7 @@
 
 import argparse
 import os
+from typing import NoReturn
 
 from percuss.libraries import require
 from percuss.terminal import fail as end
@@ -24,7 +25,7 @@ Needs Python 3 with NumPy, h5py and Matplotlib, and three.js: scripts/install_de
 """
 
 
-def parse_arguments(words):
+def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="percuss view", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Writes DIR/view.html, the surface of a run to turn with the mouse over time.")
@@ -41,11 +42,11 @@ def parse_arguments(words):
     return parser.parse_args(words)
 
 
-def fail(message, code=2):
+def fail(message: object, code: int = 2) -> NoReturn:
     end("view", message, code)
 
 
-def main(words):
+def main(words: list[str]) -> None:
     arguments = parse_arguments(words)
     require("the view needs", NEEDS)
     import percuss

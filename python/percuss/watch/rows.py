@@ -8,21 +8,23 @@ from percuss.results.table import parse_row, read_heading
 class Rows:
     """Attributes: names, columns {name: list of numbers}. read() takes what has been added since."""
 
-    def __init__(self, path):
+    def __init__(self, path: str) -> None:
         self.path = path
         self._start_over(None)
 
-    def _start_over(self, identity):
-        self.names, self.columns, self._place, self._identity = [], {}, 0, identity
+    def _start_over(self, identity: int | None) -> None:
+        self.names: list[str] = []
+        self.columns: dict[str, list[float]] = {}
+        self._place, self._identity = 0, identity
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.columns[self.names[0]]) if self.names else 0
 
-    def last(self, name):
+    def last(self, name: str) -> float | None:
         """The last value of a column; None if there is none."""
         return self.columns[name][-1] if self.columns.get(name) else None
 
-    def read(self):
+    def read(self) -> bool:
         """Whether there are new rows. A file that was replaced or cut, as by a restart, is read from its start."""
         if not os.path.isfile(self.path):  # a pipe would be waited for
             return False
@@ -39,7 +41,7 @@ class Rows:
             return False
         return self._take(whole.split("\n")[:-1])
 
-    def _take(self, lines):
+    def _take(self, lines: list[str]) -> bool:
         if lines and not self.names:
             self.names = read_heading(self.path, lines[0])
             self.columns = {name: [] for name in self.names}

@@ -1,8 +1,16 @@
 """The text of the view: progress, numbers, sparklines."""
 
+from __future__ import annotations
+
 import math
+from typing import TYPE_CHECKING
 
 from percuss.terminal import clean
+
+from .rows import Rows
+
+if TYPE_CHECKING:
+    from percuss.results.run import Run
 
 BARS = "\u2581\u2582\u2583\u2584\u2585\u2586\u2587\u2588"
 PLAIN_BARS = "_.-~=+*#"  # of terminals without UTF-8
@@ -13,7 +21,7 @@ SHOWN = [("kinetic", "kinetic"), ("internal", "internal"), ("hourglass", "hourgl
 MOST_FORCES = 4  # of output.history.forces
 
 
-def make_sparkline(values, width, bars=BARS):
+def make_sparkline(values: list[float], width: int, bars: str = BARS) -> str:
     """One sign for each of at most `width` runs of rows: their value farthest from zero, between the least and the
     largest such value."""
     finite = [value for value in values if math.isfinite(value)]
@@ -21,13 +29,14 @@ def make_sparkline(values, width, bars=BARS):
         return ""
     count = min(width, len(values))
     pieces = [values[len(values) * i // count : len(values) * (i + 1) // count] for i in range(count)]
-    chosen = [max((v for v in piece if math.isfinite(v)), key=abs, default=None) for piece in pieces]
+    chosen = [max((v for v in piece if math.isfinite(v)), key=abs) if any(map(math.isfinite, piece)) else None
+              for piece in pieces]
     low, high = min(v for v in chosen if v is not None), max(v for v in chosen if v is not None)
     scale = (len(bars) - 1) / (high - low) if high > low else 0
     return "".join("x" if v is None else bars[round((v - low) * scale)] for v in chosen)
 
 
-def make_progress(time, end, width, plain):
+def make_progress(time: float | None, end: float | None, width: int, plain: bool) -> str:
     if not end or end <= 0 or time is None:
         return ""
     share = min(1.0, max(0.0, time / end))
@@ -36,7 +45,7 @@ def make_progress(time, end, width, plain):
     return f"{full * done}{empty * (width - done)} {100 * share:5.1f} %"
 
 
-def format_duration(seconds):
+def format_duration(seconds: float) -> str:
     seconds = int(seconds)
     if seconds < 60:
         return f"{seconds} s"
@@ -45,7 +54,7 @@ def format_duration(seconds):
     return f"{seconds // 3600} h {seconds % 3600 // 60:02d} min"
 
 
-def make_line(run, rows, end, left):
+def make_line(run: Run, rows: Rows, end: float | None, left: float | None) -> str:
     """One line, where the output is no terminal."""
     time, words = rows.last("time"), [run.status]
     if time is not None:
@@ -58,7 +67,7 @@ def make_line(run, rows, end, left):
     return "  ".join(words)
 
 
-def name_limit(run, rows):
+def name_limit(run: Run, rows: Rows) -> str:
     """What limits the step: a spring, by the column dt_spring, or an element; empty where it is not known."""
     spring = int(rows.last("dt_spring") or 0)
     names = [name.partition(":")[2] for name in rows.names if name.startswith("spring_force:")]
@@ -74,7 +83,7 @@ def name_limit(run, rows):
     return "" if element is None else f"element {element:.0f} limits the step"
 
 
-def make_screen(run, rows, end, left, size):
+def make_screen(run: Run, rows: Rows, end: float | None, left: float | None, size: tuple[int, bool]) -> list[str]:
     """Lines of the view. left: seconds to the end, or None. size: (width, plain)."""
     width, plain = size
     unit = f" {run.units.time[0]}" if run.units else ""
@@ -97,7 +106,7 @@ def make_screen(run, rows, end, left, size):
     return [line if len(line) <= width else line[: width - 1] + ("~" if plain else "\u2026") for line in lines]
 
 
-def list_curves(rows):
+def list_curves(rows: Rows) -> list[tuple[str, str, list[float]]]:
     """[(name, label, values)]: those of SHOWN, then the magnitude of the first forces."""
     curves = [(name, label, rows.columns.get(name, [])) for name, label in SHOWN]
     for name in [name[len("fx:") :] for name in rows.names if name.startswith("fx:")][:MOST_FORCES]:
@@ -106,7 +115,7 @@ def list_curves(rows):
     return curves
 
 
-def _make_curves(rows, width, plain):
+def _make_curves(rows: Rows, width: int, plain: bool) -> list[str]:
     lines = []
     for name, label, values in list_curves(rows):
         if name == "dt" and len(values) > 1 and values[0] == 0:
@@ -120,7 +129,7 @@ def _make_curves(rows, width, plain):
     return lines
 
 
-def _list_warnings(run):
+def _list_warnings(run: Run) -> list[str]:
     found = run.warnings
     lines = [f"{len(found)} warning{'s' * (len(found) != 1)}:"] if found else []
     for warning in found[:5]:

@@ -1,12 +1,18 @@
 """Shows a percuss run in the terminal until it ends. percuss watch --help says how."""
 
+from __future__ import annotations
+
 import argparse
 import os
 import shutil
 import sys
 import time
+from typing import TYPE_CHECKING
 
 from percuss.terminal import fail
+
+if TYPE_CHECKING:
+    from percuss.results.run import Run
 
 EXIT_CODES = {"completed": 0, "failed": 3, "killed": 4, "interrupted": 130}
 LINES_EVERY = 10.0  # seconds between lines where the output is no terminal
@@ -36,7 +42,7 @@ Needs Python 3 alone.
 """
 
 
-def parse_arguments(words):
+def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="percuss watch", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Shows a run in the terminal until it ends.")
@@ -48,43 +54,44 @@ def parse_arguments(words):
     return parser.parse_args(words)
 
 
-def is_plain(arguments):
+def is_plain(arguments: argparse.Namespace) -> bool:
     return arguments.plain or "utf" not in (sys.stdout.encoding or "").lower()
 
 
 class Watch:
     """Looks at the run and writes what it sees."""
 
-    def __init__(self, run, arguments):
+    def __init__(self, run: Run, arguments: argparse.Namespace) -> None:
         from percuss.watch.rows import Rows
 
         self.run, self.arguments = run, arguments
         self.rows = Rows(os.path.join(run.folder, "history.csv"))
         self.live = sys.stdout.isatty() and not arguments.once
         self.height = 0
-        self.end = None
-        self.first = None  # clock and simulated time of the first update that found a row
+        self.end: float | None = None
+        self.first: tuple[float, float] | None = None  # clock and simulated time of the first update that found a row
         self.last_line = 0.0
 
-    def update(self):
+    def update(self) -> str:
         """The status now; reads the files again."""
         self.run.reload()
         status = self.run.status  # before the rows: none can be missed after the end
         self.rows.read()
         if self.end is None:
             self.end = self.run.summary.get("end_time")
-        if self.first is None and len(self.rows):
-            self.first = time.monotonic(), self.rows.last("time")
+        if self.first is None and (now := self.rows.last("time")) is not None:
+            self.first = time.monotonic(), now
         return status
 
-    def estimate_left(self):
+    def estimate_left(self) -> float | None:
         """Seconds to the end at the speed since the first look."""
-        if self.first is None or not self.end:
+        now = self.rows.last("time")
+        if self.first is None or not self.end or now is None:
             return None
-        clock, done = time.monotonic() - self.first[0], self.rows.last("time") - self.first[1]
-        return clock * max(0.0, self.end - self.rows.last("time")) / done if clock > 2 and done > 0 else None
+        clock, done = time.monotonic() - self.first[0], now - self.first[1]
+        return clock * max(0.0, self.end - now) / done if clock > 2 and done > 0 else None
 
-    def show(self, is_last):
+    def show(self, is_last: bool) -> None:
         from percuss.terminal import print_text
         from percuss.watch.screen import make_line, make_screen
 
@@ -99,7 +106,7 @@ class Watch:
             self.last_line = time.monotonic()
 
 
-def main(words):
+def main(words: list[str]) -> None:
     arguments = parse_arguments(words)
     import percuss
 

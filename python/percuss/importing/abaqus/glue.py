@@ -54,8 +54,8 @@ class Bonds:
 
     def find(self, keyword: str) -> Block | None:
         """The last block of a keyword that has data."""
-        found = [block
-                 for block in self.blocks if block.keyword == keyword and any(any(line[1]) for line in block.lines)]
+        found = [block for block in self.blocks
+                 if block.keyword == keyword and any(any(line[1]) for line in block.lines)]
         return found[-1] if found else None
 
 

@@ -55,8 +55,8 @@ def list_side_beams(deck: KeywordDeck, contact: Contact, side: str) -> list[Bloc
     Spot welds lie within what they hold together, and touch nothing."""
     parts = list_side_parts(deck, contact, side)
     blocks = [block for block in deck.model.blocks if block.beams and parts is not None and block.part in parts]
-    welds = [block
-             for block in blocks if deck.materials[deck.parts[block.part].material].keyword.startswith("MAT_SPOTWELD")]
+    welds = [block for block in blocks
+             if deck.materials[deck.parts[block.part].material].keyword.startswith("MAT_SPOTWELD")]
     if welds:
         deck.ledger.approximated(f"{contact.keyword}.beams", contact.place, "beams of *MAT_SPOTWELD touch nothing")
     return [block for block in blocks if block not in welds]
