@@ -90,8 +90,8 @@ for kind, writer in ((float, Dumper.write_number), (int, Dumper.write_number), (
                      (tuple, Dumper.represent_list), (type(None), Dumper.refuse_none)):  # fmt: skip
     Dumper.add_representer(kind, writer)  # type: ignore[arg-type]
 # What YAML 1.2 and percuss take for a number: 1e5 is written plain as a number, and quoted as a text.
-Dumper.add_implicit_resolver(FLOAT, re.compile(r"[-+]?((\.\d+|\d+\.?\d*)([eE][-+]?\d+)?|nan|inf)\Z", re.IGNORECASE),
-                             list("-+.0123456789nNiI"))
+NUMBER = re.compile(r"[-+]?((\.\d+|\d+\.?\d*)([eE][-+]?\d+)?|nan|inf)\Z", re.IGNORECASE)
+Dumper.add_implicit_resolver(FLOAT, NUMBER, list("-+.0123456789nNiI"))  # type: ignore[no-untyped-call]
 
 
 def dump(entry: Any, width: int = WIDTH) -> str:
@@ -102,7 +102,7 @@ def dump(entry: Any, width: int = WIDTH) -> str:
     for child in node.value:
         for part in child if isinstance(child, tuple) else (child,):
             part.flow_style = True
-    return yaml.serialize(node, Dumper=Dumper, width=width, allow_unicode=True)
+    return str(yaml.serialize(node, Dumper=Dumper, width=width, allow_unicode=True))
 
 
 def holds_maps(value: Any) -> bool:

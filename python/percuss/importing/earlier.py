@@ -62,7 +62,7 @@ def read_mark(folder: str) -> str:
     """Of the deck as the last import wrote it;
     empty if that is not known, as of a report that no import has written."""
     try:
-        mark = load_json(os.path.join(folder, REPORT), {"deck_sha256": TEXT})["deck_sha256"]
+        mark: str = load_json(os.path.join(folder, REPORT), {"deck_sha256": TEXT})["deck_sha256"]
     except NotResults:
         return ""
     return mark if len(mark) == hashlib.sha256().digest_size * 2 else ""

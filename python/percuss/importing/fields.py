@@ -101,12 +101,12 @@ class Row:
     def number(self, name: str) -> float:
         """The field as a number; its default where it is blank."""
         value = self._parse(name, parse_real, "a number")
-        return value * self.change.factor_of(self.card, name) if self.change else value
+        return float(value * self.change.factor_of(self.card, name) if self.change else value)
 
     def integer(self, name: str) -> int:
         """The field as a whole number; its default where it is blank."""
         value = int(self._parse(name, parse_integer, "a whole number"))
-        return value + self.change.shift_of(self.card, name) if self.change and value > 0 else value
+        return int(value + self.change.shift_of(self.card, name) if self.change and value > 0 else value)
 
     def numbers(self, *names: str) -> list[float]:
         return [self.number(name) for name in names]

@@ -39,7 +39,7 @@ def check_deck(deck: str, library: str) -> Verdict:
 def refuse_checked(model: Model, ledger: Ledger, source: str, deck: str, verdict: Verdict) -> None:
     """An error of the check is a refusal of the card that made the entry at its place in the deck."""
     with open(deck, encoding="utf-8") as file:
-        root = yaml.compose(file.read(), Loader=yaml.SafeLoader)
+        root = yaml.compose(file.read(), Loader=yaml.SafeLoader)  # type: ignore[no-untyped-call]
     found = list(ERROR.finditer(verdict.errors))
     for error in found:
         path: list[str | int] = []

@@ -111,7 +111,7 @@ def fit_cowper_symonds(factors: Factors) -> tuple[float, float] | None:
 
 
 def scale_stress(law: "tuple[float, float] | None", rate: float) -> float:
-    return 1 + (rate / law[0]) ** (1 / law[1]) if law and rate > 0 else 1.0
+    return float(1 + (rate / law[0]) ** (1 / law[1]) if law and rate > 0 else 1.0)
 
 
 def find_common_strains(curves: Curves) -> list[float]:

@@ -69,8 +69,8 @@ def measure(model: Model, nodes: set[int]) -> list[str]:
         count = len(block.elements())
         lines.append(f"part {block.name}: id {block.part}, {count} elements, {block.keys['material']}, mass {mass:.6g}")
     center = [m / total if total else 0.0 for m in moment]
-    show = lambda v: ", ".join(f"{x:.6g}" for x in v)  # noqa: E731
-    return [f"extent: {show(low)} to {show(high)}", f"mass: {total:.6g}, centre {show(center)}", *lines]
+    texts = [", ".join(f"{x:.6g}" for x in v) for v in (low, high, center)]
+    return [f"extent: {texts[0]} to {texts[1]}", f"mass: {total:.6g}, centre {texts[2]}", *lines]
 
 
 def write_report(path: str, source: str, ledger: Ledger, summary: list[str]) -> None:

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable
 
-from .model import Block, Model, Vector
+from .model import Block, Deck, Model, Vector
 from .solids import FACES, SEGMENTS
 
 
@@ -52,25 +52,25 @@ def shell_area(x: list[Vector]) -> float:
     """Half the cross product of the diagonals, or of two edges."""
     normal = (cross(subtract(x[2], x[0]), subtract(x[3], x[1])) if len(x) == 4
               else cross(subtract(x[1], x[0]), subtract(x[2], x[0])))
-    return 0.5 * dot(normal, normal) ** 0.5
+    return float(0.5 * dot(normal, normal) ** 0.5)
 
 
-def section_area(section: dict) -> float:
+def section_area(section: Deck) -> float:
     """Area of a section as the deck gives it."""
     for kind, keys in section.items():
         if kind == "round":
-            return math.pi * keys["radius"] ** 2
+            return float(math.pi * keys["radius"] ** 2)
         if kind == "tube":
-            return math.pi * (keys["outer_radius"] ** 2 - keys["inner_radius"] ** 2)
+            return float(math.pi * (keys["outer_radius"] ** 2 - keys["inner_radius"] ** 2))
         if kind == "rectangle":
-            return keys["size"][0] * keys["size"][1]
+            return float(keys["size"][0] * keys["size"][1])
         if kind == "box":
             (y, z), wall = keys["size"], keys["wall"]
-            return y * z - (y - 2 * wall) * (z - 2 * wall)
+            return float(y * z - (y - 2 * wall) * (z - 2 * wall))
         if kind == "i_shape":
             (y, z), flange, web = keys["size"], keys["flange"], keys["web"]
-            return 2 * y * flange + web * (z - 2 * flange)
-        return keys["area"]
+            return float(2 * y * flange + web * (z - 2 * flange))
+        return float(keys["area"])
     return 0.0
 
 

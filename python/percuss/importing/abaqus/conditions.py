@@ -10,9 +10,9 @@ from .axisymmetric import hold_bodies, split_turned
 from .deck import AbaqusDeck, RigidGroup
 from .equations import add_driven
 from .followers import follow, list_leaders
-from .lines import Block
+from .lines import Block, Line
 from .speeds import Speeds
-from .timeline import DISPLACEMENT, FIXED, VELOCITY, Action, Window, is_whole, make_motion, split_groups
+from .timeline import DISPLACEMENT, FIXED, VELOCITY, Action, Target, Window, is_whole, make_motion, split_groups
 
 AXES = ("x", "y", "z", "rx", "ry", "rz")
 NAMED = {"ENCASTRE": AXES, "PINNED": AXES[:3], "XSYMM": ("x", "ry", "rz"), "YSYMM": ("y", "rx", "rz"),
@@ -22,7 +22,6 @@ KINDS = ("DISPLACEMENT", "VELOCITY", "ACCELERATION")
 LEFT_OUT = "it is left out"
 MOST_SPEEDS = 20  # from which an acceleration of one line may begin
 
-Line = tuple[int, list[str]]
 
 
 @dataclass
@@ -154,10 +153,10 @@ def finish_conditions(deck: AbaqusDeck) -> None:
     follow(deck)
     add_driven(deck)
     turning = deck.model.turning_nodes()
-    done: set[tuple] = set()
+    done: set[Target] = set()
     for line in deck.condition_lines:
         add_line(deck, line, turning, done)
-    rest: dict[tuple, list[int]] = {}
+    rest: dict[Target, list[int]] = {}
     for target, windows in deck.motions.windows.items():
         node, direction = target
         if target in done or node in deck.group_of_ref or direction.startswith("r") and node not in turning:
@@ -167,7 +166,7 @@ def finish_conditions(deck: AbaqusDeck) -> None:
         add_changing(deck, key[0], deck.motions.windows[(nodes[0], key[0])], nodes)
 
 
-def add_line(deck: AbaqusDeck, line: ConditionLine, turning: set[int], done: set[tuple]) -> None:
+def add_line(deck: AbaqusDeck, line: ConditionLine, turning: set[int], done: set[Target]) -> None:
     """Entries of what acts through the whole run as its line says."""
     place = line.action.place
     groups: dict[tuple[int, ...], list[str]] = {}
@@ -188,7 +187,7 @@ def add_line(deck: AbaqusDeck, line: ConditionLine, turning: set[int], done: set
         deck.ledger.translated("BOUNDARY", place, "conditions")
 
 
-def acts_alone(deck: AbaqusDeck, action: Action, target: tuple) -> bool:
+def acts_alone(deck: AbaqusDeck, action: Action, target: Target) -> bool:
     windows = deck.motions.windows.get(target, [])
     if len(windows) != 1 or not is_whole(windows, deck.end_time):
         return False

@@ -8,7 +8,7 @@ from ..model import Deck
 from .cohesive import tie_layer
 from .deck import AbaqusDeck
 from .glue import refuse_glue
-from .lines import Block
+from .lines import Block, Line
 from .surfaces import is_profile
 
 INSTEAD = "it is left out"
@@ -72,7 +72,7 @@ def read_contact_pair(deck: AbaqusDeck, block: Block) -> None:
         add_pair(deck, block, line, friction)
 
 
-def add_pair(deck: AbaqusDeck, block: Block, line: tuple[int, list[str]], friction: float | None) -> None:
+def add_pair(deck: AbaqusDeck, block: Block, line: Line, friction: float | None) -> None:
     """friction: none: that of general contact."""
     place = block.at(line[0])
     first, second = block.text(line, 0), block.text(line, 1)

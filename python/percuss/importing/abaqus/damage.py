@@ -8,7 +8,7 @@ from ..fields import clip
 from ..ledger import BadInput
 from ..model import Deck
 from .deck import AbaqusDeck
-from .lines import Block
+from .lines import Block, Line
 from .plies import add_hashin
 
 KEYWORDS = ("DAMAGE INITIATION", "DAMAGE EVOLUTION", "SHEAR FAILURE", "TENSILE FAILURE")
@@ -45,7 +45,7 @@ def take_failure(deck: AbaqusDeck, law: Deck, blocks: list[Block]) -> set[str]:
     return {keyword for keyword, several in found.items() if several}
 
 
-def need_line(block: Block) -> tuple[int, list[str]]:
+def need_line(block: Block) -> Line:
     lines = [line for line in block.lines if any(line[1])]
     if not lines:
         raise BadInput(block.place, f"*{block.keyword} has no data line: add it")

@@ -1,9 +1,9 @@
 """An Abaqus deck in memory: its mesh, and what its keywords define by name."""
 
 from collections import Counter
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from ..cohesive_layers import Layer
 from ..curves import Points
@@ -14,7 +14,7 @@ from ..unique import Unique
 from .amplitudes import Amplitude
 from .lines import Block
 from .mesh import PLANES, RINGS, SHELLS, SIDES, SOLIDS, STRAINED, BodyCard, Instance, Scope
-from .timeline import StepTime, Timeline, shift_points
+from .timeline import StepTime, Target, Timeline, shift_points
 
 T = TypeVar("T")
 FLAT = {**STRAINED, **RINGS}  # elements in a plane, with their corners there
@@ -115,12 +115,12 @@ class AbaqusDeck:
         self.amplitudes: dict[str, Amplitude] = {}
         self.steps: list[StepTime] = []
         self.motions, self.loads = Timeline(0.0), Timeline(0.0)
-        self.scaled: set[tuple] = set()  # keywords of mass scaling with their options
+        self.scaled: set[tuple[object, ...]] = set()  # keywords of mass scaling with their options
         self.keywords_of_lines: dict[Place, str] = {}  # of what acts in a step
         self.renewed: set[tuple[str, int]] = set()  # keyword and step of OP=NEW
         self.gravities: dict[str, tuple[int, list[float]]] = {}  # by the element set: step and direction
-        self.condition_lines: list = []
-        self.load_writers: dict[tuple, Callable] = {}
+        self.condition_lines: list[Any] = []
+        self.load_writers: dict[Target, Callable[[float | Deck], None]] = {}
         self.transformed: set[int] = set()  # nodes of *TRANSFORM
         self.frictions: dict[str, float] = {}  # of *SURFACE INTERACTION
         self.interactions: dict[str, list[Block]] = {}  # *SURFACE INTERACTION with its friction and bonds
@@ -158,7 +158,7 @@ class AbaqusDeck:
         self.blocks_of_elements: dict[int, int] = {}  # element: index of its block
         self.groups: list[RigidGroup] = []
         self.group_of_ref: dict[int, RigidGroup] = {}
-        self._names: dict[tuple, str] = {}
+        self._names: dict[tuple[object, ...], str] = {}
         self._used: set[int] | None = None
 
     @property
@@ -200,7 +200,7 @@ class AbaqusDeck:
         raise BadInput(place, f"'{clip(name)}' may be one of {len(fits)} {what}s (several instances have it): "
                               "write INSTANCE.NAME")
 
-    def list_ids(self, table: dict, known: dict, name: str, place: Place, what: str) -> list[int]:
+    def list_ids(self, table: dict[str, list[int]], known: Collection[int], name: str, place: Place, what: str) -> list[int]:
         """Ids of a set, or one id: of the assembly, or as INSTANCE.ID."""
         instance, _, label = self.tidy(name).rpartition(".")
         id = parse_integer(label)
@@ -263,7 +263,7 @@ class AbaqusDeck:
 
     def sensor_at(self, time: float) -> str:
         """A sensor that acts at the end of a step."""
-        sensors = self.model.deck.setdefault("sensors", {})
+        sensors: dict[str, Deck] = self.model.deck.setdefault("sensors", {})
         for name, keys in sensors.items():
             if keys == {"time": time}:
                 return name

@@ -8,7 +8,7 @@ from ..fields import MOST_ID, clip
 from ..ledger import BadInput, Place, missing
 from ..model import Vector
 from ..shapes import cross, make_vector, normalise, subtract
-from .lines import Block
+from .lines import Block, Line
 from .mesh import MOST_MEMBERS, Scope, keep_once, rotate
 
 Axes = tuple[Vector, Vector, Vector]
@@ -83,7 +83,7 @@ def add_node(scope: Scope, block: Block, id: int, x: Vector) -> None:
     scope.nodes[id] = x
 
 
-def find_node(scope: Scope, block: Block, line: tuple[int, list[str]], id: int) -> Vector:
+def find_node(scope: Scope, block: Block, line: Line, id: int) -> Vector:
     if id not in scope.nodes:
         raise BadInput(block.at(line[0]), missing(f"node {id}"))
     return scope.nodes[id]
@@ -110,7 +110,7 @@ def read_ngen(scope: Scope, block: Block) -> None:
         add_set(scope.node_sets, block.option("NSET"), ids)
 
 
-def choose_curve(scope: Scope, block: Block, line: tuple[int, list[str]], a: Vector,
+def choose_curve(scope: Scope, block: Block, line: Line, a: Vector,
                  b: Vector) -> Callable[[float], Vector]:
     """Places by their share of a straight line, a parabola (P, its midpoint is given) or an arc (C, its centre)."""
     kind, system = block.option("LINE"), block.option("SYSTEM") or "R"

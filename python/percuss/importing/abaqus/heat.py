@@ -168,7 +168,7 @@ def limit_temperature(deck: AbaqusDeck, law: Deck, value: float, place: Place) -
         "INITIAL CONDITIONS.melt", place, f"a temperature of {value:g}, where johnson_cook melts at {melt:g}",
         "these elements begin with the transition temperature",
     )  # fmt: skip
-    return law["room_temperature"]
+    return float(law["room_temperature"])
 
 
 def add_element_temperatures(deck: AbaqusDeck, warm: list[ModelBlock], place: Place) -> None:

@@ -10,6 +10,7 @@ from ..text_files import read_lines
 from .parameters import Parameters
 
 MOST_OPEN, MOST_INCLUDED, SIZE_OF_NONE = 20, 2 << 30, 1 << 20  # files; bytes; what an empty file counts as
+Line = tuple[int, list[str]]  # its number and its words
 
 
 @dataclass
@@ -20,7 +21,7 @@ class Block:
     options: dict[str, str]  # names in capitals; a flag is ""
     place: Place
     step: int = 0  # in which it stands; 0: before the first
-    lines: list[tuple[int, list[str]]] = field(default_factory=list)
+    lines: list[Line] = field(default_factory=list)
 
     def at(self, number: int) -> Place:
         return Place(self.place.file, number)
@@ -29,7 +30,7 @@ class Block:
         """A value of an option in capitals, empty where it is not given."""
         return self.options.get(name, "").upper()
 
-    def number(self, line: tuple[int, list[str]], index: int, default: float = 0.0) -> float:
+    def number(self, line: Line, index: int, default: float = 0.0) -> float:
         """A number of a data line; a default where it is blank."""
         text = line[1][index] if index < len(line[1]) else ""
         value = parse_real(text) if text else default
@@ -37,20 +38,20 @@ class Block:
             raise BadInput(self.at(line[0]), f"'{clip(text)}' in *{self.keyword} is not a number: correct it")
         return value
 
-    def integer(self, line: tuple[int, list[str]], index: int, default: int = 0) -> int:
+    def integer(self, line: Line, index: int, default: int = 0) -> int:
         text = line[1][index] if index < len(line[1]) else ""
         value = parse_integer(text) if text else default
         if value is None:
             raise BadInput(self.at(line[0]), f"'{clip(text)}' in *{self.keyword} is not an integer: correct it")
         return value
 
-    def id(self, line: tuple[int, list[str]], index: int) -> int:
+    def id(self, line: Line, index: int) -> int:
         value = self.integer(line, index)
         if not 1 <= value <= MOST_ID:
             raise BadInput(self.at(line[0]), f"'{value}' in *{self.keyword} is not an id (1 to 10^15): correct it")
         return value
 
-    def text(self, line: tuple[int, list[str]], index: int) -> str:
+    def text(self, line: Line, index: int) -> str:
         return line[1][index] if index < len(line[1]) else ""
 
 
@@ -169,7 +170,7 @@ class BlockReader:
         if block.lines:
             yield Block("", {}, block.place, lines=block.lines)
 
-    def _read_data(self, block: Block) -> list[tuple[int, list[str]]]:
+    def _read_data(self, block: Block) -> list[Line]:
         """Data lines of a file of their own."""
         path = self._find(block.options["INPUT"], block.place)
         lines = [(block.place.line, [word.strip() for word in text.split(",")])
@@ -177,7 +178,7 @@ class BlockReader:
         return [line for line in lines if any(line[1]) and not line[1][0].startswith("*")]
 
 
-def require_line(block: Block) -> tuple[int, list[str]]:
+def require_line(block: Block) -> Line:
     if not block.lines:
         raise BadInput(block.place, f"*{block.keyword} has no data line: add it")
     return block.lines[0]

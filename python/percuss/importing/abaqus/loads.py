@@ -1,6 +1,7 @@
 """*CLOAD, *DLOAD, *DSLOAD: forces, pressures and gravity, in each step."""
 
 from collections.abc import Callable
+from typing import Any
 
 from ..fields import clip
 from ..ledger import BadInput, Place
@@ -9,14 +10,14 @@ from .axisymmetric import SHARE, refuse_in_ring, share_force
 from .conditions import AXES, refuse_other_axes
 from .deck import AbaqusDeck, Following
 from .followers import list_leaders
-from .lines import Block
+from .lines import Block, Line
 from .planes import list_edges, write_traction
 from .timeline import LOAD, Action, join_loads, values_of
 
 LEFT_OUT, ENDS = "it is left out", "OP=NEW ends what acted before"
 BODY_FORCES = {"BX": 0, "BY": 1, "BZ": 2}
 
-Line = tuple[int, list[str]]
+Writer = Callable[[float | Deck], None]  # of a load, by its values over the run
 
 
 def renew(deck: AbaqusDeck, block: Block) -> None:
@@ -29,7 +30,7 @@ def renew(deck: AbaqusDeck, block: Block) -> None:
         deck.ledger.translated(block.keyword, block.place, ENDS)
 
 
-def act(deck: AbaqusDeck, block: Block, line: Line, key: tuple, value: float, emit: Callable) -> None:
+def act(deck: AbaqusDeck, block: Block, line: Line, key: tuple[Any, ...], value: float, emit: Writer) -> None:
     """From this step on, in place of the same load of a step before; several of one step add up."""
     place = block.at(line[0])
     points = deck.values_in_step(block, place, value)
@@ -55,7 +56,8 @@ def finish_loads(deck: AbaqusDeck) -> None:
 
 
 def list_loads(deck: AbaqusDeck, kind: str) -> list[Deck]:
-    return deck.model.deck.setdefault("loads", {}).setdefault(kind, [])
+    loads: list[Deck] = deck.model.deck.setdefault("loads", {}).setdefault(kind, [])
+    return loads
 
 
 def read_node_force(deck: AbaqusDeck, block: Block) -> None:
@@ -97,7 +99,7 @@ def read_node_force(deck: AbaqusDeck, block: Block) -> None:
                 write_node_load(deck, name, used, dof, place))
 
 
-def write_node_load(deck: AbaqusDeck, name: str, nodes: list[int], dof: int, place: Place) -> Callable:
+def write_node_load(deck: AbaqusDeck, name: str, nodes: list[int], dof: int, place: Place) -> Writer:
     def write(value: "float | Deck") -> None:
         if dof > 3 and not set(nodes) <= deck.model.turning_nodes():
             deck.ledger.refuse("CLOAD.moment", place,
@@ -111,7 +113,7 @@ def write_node_load(deck: AbaqusDeck, name: str, nodes: list[int], dof: int, pla
     return write
 
 
-def write_ring_load(deck: AbaqusDeck, name: str, nodes: list[int], direction: str, place: Place) -> Callable:
+def write_ring_load(deck: AbaqusDeck, name: str, nodes: list[int], direction: str, place: Place) -> Writer:
     def write(value: "float | Deck") -> None:
         list_loads(deck, "nodal").append({"nodes": deck.model.add_node_set(name, nodes), "force": {direction: value}})
         deck.ledger.translated("CLOAD", place, "loads.nodal: the share of the sector in the force on the ring")
@@ -119,7 +121,7 @@ def write_ring_load(deck: AbaqusDeck, name: str, nodes: list[int], direction: st
     return write
 
 
-def write_led_load(deck: AbaqusDeck, following: Following, dof: int, place: Place) -> Callable:
+def write_led_load(deck: AbaqusDeck, following: Following, dof: int, place: Place) -> Writer:
     """A force on a node without elements acts on those that move equally with it: on one of them."""
 
     def write(value: "float | Deck") -> None:
@@ -135,7 +137,7 @@ def write_led_load(deck: AbaqusDeck, following: Following, dof: int, place: Plac
     return write
 
 
-def write_body_load(deck: AbaqusDeck, ref: int, dof: int, place: Place) -> Callable:
+def write_body_load(deck: AbaqusDeck, ref: int, dof: int, place: Place) -> Writer:
     def write(value: "float | Deck") -> None:
         group = deck.group_of_ref[ref]
         if not group.name:
@@ -179,7 +181,7 @@ def covers_all(deck: AbaqusDeck, name: str, place: Place) -> bool:
 
 
 def add_gravity(deck: AbaqusDeck, block: Block, line: Line, size: float, axis: list[float], what: str) -> None:
-    def write_one(direction: int) -> Callable:
+    def write_one(direction: int) -> Writer:
         def write(value: "float | Deck") -> None:
             gravity = deck.model.deck.setdefault("loads", {}).setdefault("gravity", [0.0, 0.0, 0.0])
             if isinstance(gravity[direction], dict) or isinstance(value, dict) and gravity[direction] != 0:
@@ -227,7 +229,7 @@ def spare_masses(deck: AbaqusDeck, block: Block, line: Line, acceleration: list[
                     -mass * acceleration[dof - 1], write)
 
 
-def write_mass_load(deck: AbaqusDeck, node: int, dof: int, place: Place) -> Callable:
+def write_mass_load(deck: AbaqusDeck, node: int, dof: int, place: Place) -> Writer:
     def write(value: "float | Deck") -> None:
         list_loads(deck, "nodal").append({"nodes": deck.model.add_node_set(f"mass_{node}", [node]),
                                           "force": {AXES[dof - 1]: value}})

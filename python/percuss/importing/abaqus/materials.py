@@ -11,7 +11,7 @@ from .cyclic import add_combined
 from .damage import take_failure
 from .deck import AbaqusDeck, MaterialBlocks
 from .heat import take_heat
-from .lines import Block, require_line
+from .lines import Block, Line, require_line
 from .one_temperature import settle_temperature
 from .plies import COUNTS, read_constants
 from .rubbers import translate_hyperfoam, translate_rubber
@@ -28,7 +28,7 @@ def find(material: MaterialBlocks, keyword: str) -> Block | None:
     return next((block for block in material.parts if block.keyword == keyword), None)
 
 
-def density_lines(material: MaterialBlocks) -> list:
+def density_lines(material: MaterialBlocks) -> list[Line]:
     block = find(material, "DENSITY")
     return block.lines if block else []
 
@@ -283,7 +283,7 @@ def check_strains(block: Block, points: list[tuple[float, float]]) -> None:
         raise BadInput(block.place, "a yield stress of *PLASTIC is not positive: correct it")
 
 
-def take_rows(deck: AbaqusDeck, block: Block) -> list[tuple[int, list[str]]]:
+def take_rows(deck: AbaqusDeck, block: Block) -> list[Line]:
     """Rows of the first temperature."""
     rows = [row for row in block.lines if block.number(row, 2) == block.number(block.lines[0], 2)]
     if len(rows) < len(block.lines):
@@ -323,7 +323,7 @@ def add_rate(deck: AbaqusDeck, law: Deck, block: Block | None) -> None:
                            f"a dependence on the rate of the kind {kind}", "there is none")
 
 
-def require_positive(block: Block, line: tuple[int, list[str]], index: int, name: str) -> float:
+def require_positive(block: Block, line: Line, index: int, name: str) -> float:
     """A constant of a law that has no default."""
     value = block.number(line, index)
     if value <= 0:

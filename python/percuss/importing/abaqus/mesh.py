@@ -8,9 +8,9 @@ from typing import TypeVar
 
 from ..fields import clip, parse_integer
 from ..ledger import BadInput, Ledger, Place, missing
-from ..model import Vector
+from ..model import Deck, Vector
 from ..unique import Lines
-from .lines import Block
+from .lines import Block, Line
 
 # Type: corners, kind; what percuss does not have has no kind.
 STRAINED = {"CPE4R": 4, "CPE3": 3}  # of plane strain: corners in their plane, of which extrude() makes solids
@@ -100,7 +100,7 @@ class SpringSet:
 
     keyword: str
     elements: str
-    law: dict
+    law: Deck
     place: Place
 
 
@@ -225,7 +225,7 @@ def read_elements(scope: Scope, block: Block, find: Callable[[str, Place], int] 
     """An element may go over several lines. find: of a node that another instance has."""
     kind = WITH_TEMPERATURE.get(block.option("TYPE"), block.option("TYPE"))
 
-    def id_of(line: tuple[int, list[str]], index: int, is_node: bool) -> int:
+    def id_of(line: Line, index: int, is_node: bool) -> int:
         return find(line[1][index], block.at(line[0])) if find and is_node else block.id(line, index)
 
     counts = {**NODES_OF_OTHERS, **SOLIDS, **STRAINED, **RINGS, **SHELLS, **COHESIVE, **BEAMS, **SPRINGS}

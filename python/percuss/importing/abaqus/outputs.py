@@ -101,7 +101,7 @@ class Writer:
     def __init__(self, deck: AbaqusDeck, history: Deck):
         self.deck, self.history = deck, history
         self.fields: list[str] = []
-        self._done: set[tuple] = set()
+        self._done: set[tuple[str, ...]] = set()
 
     # --- fields
 

@@ -5,7 +5,7 @@ import math
 import operator
 import re
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..fields import clip
 from ..ledger import BadInput, Place, missing
@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 Value = float | int | str
 MOST_POWER, LONGEST = 1000.0, 1000  # so that a deck cannot ask for numbers without end
 NAME = re.compile(r"<\s*([A-Za-z_]\w*)\s*>")
-FUNCTIONS: dict[str, Callable] = {
+FUNCTIONS: dict[str, Callable[..., float | int]] = {
     "abs": abs, "acos": math.acos, "asin": math.asin, "atan": math.atan, "cos": math.cos, "exp": math.exp,
     "float": float, "int": int, "log": math.log, "log10": math.log10, "max": max, "min": min,
     "pow": lambda a, b: power(a, b), "round": round, "sin": math.sin, "sqrt": math.sqrt, "tan": math.tan,
 }  # fmt: skip
-OPERATORS: dict[type, Callable] = {
+OPERATORS: dict[type, Callable[..., float | int]] = {
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv,
     ast.FloorDiv: operator.floordiv, ast.Mod: operator.mod, ast.Pow: lambda a, b: power(a, b), ast.USub: operator.neg,
     ast.UAdd: operator.pos,

@@ -59,7 +59,7 @@ def list_edges(deck: AbaqusDeck, name: str, place: Place) -> dict[int, float] | 
 
 
 def write_traction(deck: AbaqusDeck, name: str, areas: dict[int, float], direction: list[float],
-                   done: Callable[[], None]) -> Callable:
+                   done: Callable[[], None]) -> Callable[[float | Deck], None]:
     """A traction on edges: forces on their nodes, by the area at the start."""
     length = sum(c * c for c in direction) ** 0.5
 

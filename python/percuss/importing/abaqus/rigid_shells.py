@@ -49,8 +49,8 @@ def add_rigid_shells(deck: AbaqusDeck, name: str, place: Place, shells: list[tup
 def find_stiffness(law: Deck) -> float:
     """A modulus of a law; 0 where it has none of its own, such as one of the user's."""
     speed = law.get("equation_of_state", {}).get("sound_speed", 0.0)
-    return (law.get("youngs_modulus")
-            or max(float(law.get("bulk_modulus", 0.0)), float(law.get("c10", 0.0)), law["density"] * speed**2))
+    return float(law.get("youngs_modulus")
+                 or max(law.get("bulk_modulus", 0.0), law.get("c10", 0.0), law["density"] * speed**2))
 
 
 def name_rigid_material(deck: AbaqusDeck) -> str:

@@ -6,7 +6,7 @@ from ..laws import make_mooney_rivlin
 from ..ledger import BadInput
 from ..model import Deck
 from .deck import AbaqusDeck
-from .lines import Block, require_line
+from .lines import Block, Line, require_line
 
 USUAL_BULK = 20.0  # bulk over shear modulus of rubber without D1, in Abaqus/Explicit
 
@@ -87,7 +87,7 @@ def translate_hyperfoam(deck: AbaqusDeck, block: Block) -> Deck | None:
     return {"model": "hyperfoam", "terms": found[0], "poissons_ratio": found[1][0]}
 
 
-def read_rubber(block: Block, line: tuple[int, list[str]]) -> tuple[Deck, float, float] | None:
+def read_rubber(block: Block, line: Line) -> tuple[Deck, float, float] | None:
     """The law without its bulk modulus, its shear modulus, D1; None where percuss has no such law."""
     if "OGDEN" in block.options:
         found = read_terms(block)

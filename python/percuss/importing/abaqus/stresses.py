@@ -6,13 +6,12 @@ from ..laws import takes_plastic_strain, takes_stress
 from ..model import Block as ModelBlock
 from ..model import Model
 from .deck import AbaqusDeck
-from .lines import Block
+from .lines import Block, Line
 from .mesh import SOLIDS
 
 STRESSES = "stress_xx,stress_yy,stress_zz,stress_xy,stress_yz,stress_zx"
 MATERIAL = "INITIAL CONDITIONS.material"
 
-Line = tuple[int, list[str]]
 Takes = Callable[[Model, ModelBlock], bool]
 
 

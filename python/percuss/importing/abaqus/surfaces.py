@@ -196,7 +196,8 @@ def choose_contact(deck: AbaqusDeck, group: RigidGroup, wall: Deck) -> float | N
 def find_speed(deck: AbaqusDeck, motion: Deck, direction: str, place: Place) -> "float | Deck":
     """A velocity, or the slope of a displacement."""
     if "velocity" in motion:
-        return motion["velocity"][direction]
+        speed: "float | Deck" = motion["velocity"][direction]
+        return speed
     way = motion["displacement"][direction]
     if not isinstance(way, dict):
         return 0.0

@@ -1,11 +1,13 @@
 """Several steps one after the other: what acts in each becomes values over the time of the run."""
 
 from dataclasses import dataclass, field
+from typing import Any
 
 from ..curves import Curve, Points, differentiate, interpolate, make_time_value, order_points
 from ..ledger import Place
 from ..model import Deck
 
+Target = tuple[Any, ...]  # what an action acts on, such as a node and a direction
 FIXED, VELOCITY, DISPLACEMENT, LOAD = "fixed", "velocity", "displacement", "load"
 
 
@@ -45,10 +47,10 @@ class Timeline:
     """What acts on each target, such as a node and a direction, one after the other."""
 
     end: float
-    windows: dict[tuple, list[Window]] = field(default_factory=dict)
+    windows: dict[Target, list[Window]] = field(default_factory=dict)
     lines: dict[Place, None] = field(default_factory=dict)  # of all actions, those included that another has replaced
 
-    def act(self, target: tuple, action: Action) -> None:
+    def act(self, target: Target, action: Action) -> None:
         """From its start on in place of what acted there."""
         self.lines[action.place] = None
         rows = self.windows.setdefault(target, [])
@@ -62,7 +64,7 @@ class Timeline:
         else:
             rows.append(Window(action, action.start, self.end))
 
-    def stop(self, targets: list[tuple], time: float) -> None:
+    def stop(self, targets: list[Target], time: float) -> None:
         """OP=NEW: what acted before ends."""
         for target in targets:
             for window in self.windows.get(target, []):

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from .deck import AbaqusDeck
 from .followers import list_leaders
 from .lines import Block
+from .timeline import Target
 
 
 def last_line(block: Block) -> int:
@@ -71,7 +72,7 @@ def note_replaced(deck: AbaqusDeck) -> None:
                                     else "another one takes its place before it acts")
 
 
-def is_idle(target: tuple, turning: set[int]) -> bool:
+def is_idle(target: Target, turning: set[int]) -> bool:
     """Whether a target of a timeline is a rotation of a node that has none."""
     return isinstance(target[0], int) and str(target[1]).startswith("r") and target[0] not in turning
 

@@ -217,14 +217,14 @@ def width_of_section(section: Deck) -> float:
     """Diameter with which a beam of LS-DYNA touches: the first width of ELFORM 1 and 9,
     the root of the area of 2 and 3."""
     if "round" in section:
-        return 2 * section["round"]["radius"]
+        return float(2 * section["round"]["radius"])
     if "tube" in section:
-        return 2 * section["tube"]["outer_radius"]
+        return float(2 * section["tube"]["outer_radius"])
     if "i_shape" in section:
-        return section_area(section) ** 0.5
+        return float(section_area(section) ** 0.5)
     if "general" in section or "truss" in section:
-        return (section["general"] if "general" in section else section["truss"])["area"] ** 0.5
-    return next(iter(section.values()))["size"][0]
+        return float((section["general"] if "general" in section else section["truss"])["area"] ** 0.5)
+    return float(next(iter(section.values()))["size"][0])
 
 
 def has_axes(section: Deck) -> bool:

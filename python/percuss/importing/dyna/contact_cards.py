@@ -326,7 +326,7 @@ def transduce(deck: KeywordDeck, contact: Contact) -> None:
         deck.ledger.ignored(contact.keyword, contact.place, "output of a force, of surfaces that percuss cannot name")
 
 
-def make_pair(contact: dict) -> Deck:
+def make_pair(contact: Deck) -> Deck:
     """A pair of contact.surfaces; without a coefficient where those of its parts count."""
     pair = {"a": contact["a"], "b": contact["b"], **contact["times"]}
     return pair if contact["by_part"] else {**pair, "friction": contact["friction"]}

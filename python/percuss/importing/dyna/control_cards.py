@@ -142,7 +142,9 @@ def find_wave_stiffness(block: Block, law: Deck) -> float | None:
     if "youngs_modulus" not in law:
         return None
     young, poisson = law["youngs_modulus"], law.get("poissons_ratio", 0.0)
-    return young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson)) if block.solids else young / (1 - poisson**2)
+    if block.solids:
+        return float(young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson)))
+    return float(young / (1 - poisson**2))
 
 
 def find_length(x: list[Vector]) -> float:
@@ -154,7 +156,7 @@ def find_length(x: list[Vector]) -> float:
 def find_width(x: list[Vector]) -> float:
     """Of a shell."""
     edges = [subtract(a, b) for a, b in zip(x, x[1:] + x[:1])]
-    return shell_area(x) / max(dot(edge, edge) ** 0.5 for edge in edges)
+    return float(shell_area(x) / max(dot(edge, edge) ** 0.5 for edge in edges))
 
 
 def limit_step(deck: KeywordDeck, row: Row) -> None:

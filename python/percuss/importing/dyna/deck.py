@@ -10,7 +10,7 @@ from typing import Any
 from ..curves import Curve, Points, order_points
 from ..fields import Row
 from ..ledger import BadInput, Ledger, Place, missing
-from ..model import Layer, Model, Vector
+from ..model import Deck, Layer, Model, Vector
 from ..shapes import FaceOwners, dot, subtract
 from ..solids import FACES
 from ..unique import Lines, Unique
@@ -50,8 +50,8 @@ class PartCard:
     friction: float | None = None
     contact_thickness: float = 0.0  # OPTT
     is_adaptive: bool = False  # ADPOPT
-    inertia: dict | None = None  # of *PART_INERTIA: mass, center, inertia
-    motion: dict = field(default_factory=dict)  # likewise: velocity, angular_velocity
+    inertia: Deck | None = None  # of *PART_INERTIA: mass, center, inertia
+    motion: Deck = field(default_factory=dict)  # likewise: velocity, angular_velocity
     layup: "Layup | None" = None  # of *PART_COMPOSITE
 
 
@@ -107,8 +107,8 @@ class NodalBody:
     place: Place
     card: str
     center_node: int = 0  # PNODE, which LS-DYNA moves to the mass centre
-    inertia: dict | None = None  # of _INERTIA: mass, center, inertia
-    motion: dict = field(default_factory=dict)  # likewise: velocity, angular_velocity
+    inertia: Deck | None = None  # of _INERTIA: mass, center, inertia
+    motion: Deck = field(default_factory=dict)  # likewise: velocity, angular_velocity
     name: str = ""  # in the deck of percuss; empty: left out
 
 
@@ -274,9 +274,9 @@ class KeywordDeck:
         self.output = Output()
         self.sensors: list[Card] = []
         self.friction_by_part = False  # whether a contact takes FS of its parts
-        self.contacts: list[dict] = []  # a, b, friction, title
-        self.forces: list[dict] = []  # entries of output.history.forces
-        self.sections_by_sets: list[dict] = []  # likewise, of which there may be any number
+        self.contacts: list[Deck] = []  # a, b, friction, title
+        self.forces: list[Deck] = []  # entries of output.history.forces
+        self.sections_by_sets: list[Deck] = []  # likewise, of which there may be any number
         self.single_nodes: dict[int, str] = {}  # sets of one node
         self._used_nodes: set[int] | None = None
         self._shell_nodes: set[int] | None = None
@@ -298,14 +298,14 @@ class KeywordDeck:
         self.held_of_body: dict[str, list[str]] = {}  # directions that `fixed` of a body has
         self.body_centers: dict[str, list[float]] = {}  # of cards with the inertia of a body
         self.body_places: dict[str, Place] = {}
-        self.started_bodies: dict[str, dict] = {}  # entries of `initial` of cards with the inertia of a body
+        self.started_bodies: dict[str, Deck] = {}  # entries of `initial` of cards with the inertia of a body
         self.start_members: dict[str, set[int]] = {}  # nodes of the names in `initial`
         self.nodal_bodies: dict[int, NodalBody] = {}
         self.joints: list[JointCard] = []
         self.turn_springs: list[TurnSpringCard] = []
         self.merged_sets: list[Row] = []
         self.merge_tolerance = 0.0  # 0: none is given
-        self.blasts: dict[int, dict] = {}  # entries `blast` of loads.pressure, by id
+        self.blasts: dict[int, Deck] = {}  # entries `blast` of loads.pressure, by id
         self.body_names: dict[int, str] = {}  # in the deck of percuss, by the part that leads the body
         self.used: set[tuple[str, int]] = set()
         self._names_of_sets: dict[tuple[str, int, bool], str] = {}

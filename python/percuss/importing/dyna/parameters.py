@@ -23,7 +23,7 @@ FUNCTIONS: dict[str, Callable[..., float | int]] = {
     "abs": abs, "sqrt": math.sqrt, "exp": math.exp, "log": math.log, "log10": math.log10, "sin": math.sin,
     "cos": math.cos, "tan": math.tan, "asin": math.asin, "acos": math.acos, "atan": math.atan, "sinh": math.sinh,
     "cosh": math.cosh, "tanh": math.tanh, "int": int, "aint": lambda x: float(int(x)),
-    "nint": lambda x: math.floor(x + 0.5), "float": float, "ceil": math.ceil, "floor": math.floor,
+    "nint": lambda x: int(math.floor(x + 0.5)), "float": float, "ceil": math.ceil, "floor": math.floor,
     "sign": lambda a, b: math.copysign(a, b), "atan2": math.atan2, "min": min, "max": max, "mod": math.fmod,
 }  # fmt: skip
 Value = float | int | str

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from ..curves import Points
 from ..fields import Row
 from ..ledger import BadInput, Place, missing
-from ..model import Block, Model, Vector
+from ..model import Block, Deck, Model, Vector
 from ..shapes import cross, dot, make_vector, normalise, subtract
 from .cards import Card
 from .deck import KeywordDeck
@@ -86,7 +86,7 @@ def add_preloads(deck: KeywordDeck) -> None:
             deck.ledger.ignored("INITIAL_AXIAL_FORCE_BEAM", row.place, "a force of 0")
 
 
-def add_preload(model: Model, block: Block, keys: dict) -> None:
+def add_preload(model: Model, block: Block, keys: Deck) -> None:
     start = model.deck.setdefault("start", {})
     start.setdefault("relaxation", {})
     start.setdefault("preload", {})[model.names.take(f"preload_{block.name}")] = {"part": block.name, **keys}

@@ -40,4 +40,4 @@ def find_diagonal(deck: KeywordDeck, nodes: set[int]) -> float:
     """The shortest of the shells whose corners these nodes are; 0 where there is none."""
     corners_of = (corners for block in deck.model.blocks for _, corners in block.shells if nodes.issuperset(corners))
     diagonals = (subtract(deck.nodes[a], deck.nodes[b]) for c in corners_of for a, b in ((c[0], c[2]), (c[1], c[-1])))
-    return min((dot(d, d) for d in diagonals), default=0.0) ** 0.5
+    return float(min((dot(d, d) for d in diagonals), default=0.0) ** 0.5)

@@ -17,6 +17,7 @@ MOST_POINTS = 16  # through the thickness of a shell
 MOST_THICKNESSES = 64  # parts that one *PART may become by the thickness of its elements
 SHELL_FORMS = {1, 2, 3, 4, 6, 7, 8, 10, 11, 16, -16, 17, 18, 20, 21, 25, 26}
 MEMBRANE_FORMS = {5, 9}  # Belytschko-Tsay, and integrated at several points in the plane
+Thicknesses = dict[float, list[tuple[int, tuple[int, ...]]]]  # shells by their thickness: ids and corners
 
 
 @dataclass
@@ -168,7 +169,7 @@ def divide_shells(
     deck: KeywordDeck, part: PartCard, shells: list[Element], section: ShellSection, name: str, next_id: int
 ) -> list[Block]:
     """A block, or blocks of equal thickness where the mesh is not the middle surface."""
-    groups: dict[float, list[tuple[int, tuple[int, ...]]]] = {}
+    groups: Thicknesses = {}
     for shell in shells:
         groups.setdefault(section.thickness_of(shell), []).append((shell.id, shell.corners))
     if min(groups) <= 0:
@@ -207,7 +208,7 @@ def name_thickness(shells: list[Element]) -> str:
     return "ELEMENT_SHELL_THICKNESS" if any(shell.thickness for shell in shells) else "SECTION_SHELL.T2"
 
 
-def make_block_of_thicknesses(part: PartCard, groups: dict[float, list], section: ShellSection, name: str) -> Block:
+def make_block_of_thicknesses(part: PartCard, groups: Thicknesses, section: ShellSection, name: str) -> Block:
     """All shells of a part, each with its thickness in the mesh file."""
     members = sorted(member for group in groups.values() for member in group)
     thicknesses = {id: thickness for thickness, group in groups.items() for id, _ in group}
@@ -216,11 +217,11 @@ def make_block_of_thicknesses(part: PartCard, groups: dict[float, list], section
     return block
 
 
-def round_thicknesses(deck: KeywordDeck, part: PartCard, groups: dict, card: str) -> dict:
+def round_thicknesses(deck: KeywordDeck, part: PartCard, groups: Thicknesses, card: str) -> Thicknesses:
     """As many different thicknesses as parts can be made of."""
     low, high = min(groups), max(groups)
     step = (high - low) / (MOST_THICKNESSES - 1)
-    rounded: dict[float, list] = {}
+    rounded: Thicknesses = {}
     for thickness, members in groups.items():
         rounded.setdefault(low + step * round((thickness - low) / step), []).extend(members)
     deck.ledger.approximated(

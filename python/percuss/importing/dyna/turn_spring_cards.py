@@ -53,7 +53,7 @@ def make_law(deck: KeywordDeck, spring: TurnSpringCard, end: str) -> Deck:
 
 def shift_of_curves(row: Row) -> int:
     """What a file with offsets adds to the ids of curves."""
-    return row.change.shift_of(CARD, "LCIDPH") if row.change else 0
+    return int(row.change.shift_of(CARD, "LCIDPH") if row.change else 0)
 
 
 def read_rows(deck: KeywordDeck, row: Row, field: str, id: int, across: str) -> list[list[float]]:

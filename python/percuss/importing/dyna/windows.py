@@ -19,7 +19,7 @@ class Window:
 
 def name_sensor(deck: KeywordDeck, time: float) -> str:
     """The sensor of a time."""
-    sensors = deck.model.deck.setdefault("sensors", {})
+    sensors: dict[str, Deck] = deck.model.deck.setdefault("sensors", {})
     for name, sensor in sensors.items():
         if sensor == {"time": time}:
             return name
@@ -62,7 +62,7 @@ def join_motions(deck: KeywordDeck, first: Deck, second: Deck) -> Deck | None:
     in the same direction; None otherwise."""
     if "until" not in first or first["until"] != second.get("from"):
         return None
-    sensors = deck.model.deck["sensors"]
+    sensors: dict[str, Deck] = deck.model.deck["sensors"]
     times = [sensors[first["from"]]["time"] if "from" in first else 0.0, sensors[first["until"]]["time"]]
     times.append(sensors[second["until"]]["time"] if "until" in second else deck.end_time)
     directions, rows = set(), []

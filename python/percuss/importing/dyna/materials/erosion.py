@@ -94,7 +94,7 @@ def find_yield_stress(law: Deck, plastic: float) -> float:
         return interpolate([(x, y) for x, y in law["hardening"]], plastic)
     if law["model"] not in ("j2_plasticity", "combined_hardening"):
         return math.inf
-    return law["yield_stress"] + law.get("hardening_modulus", 0.0) * plastic
+    return float(law["yield_stress"] + law.get("hardening_modulus", 0.0) * plastic)
 
 
 def add_volume(deck: KeywordDeck, limits: dict[str, float], strain: float, row: Row, use: Use) -> None:

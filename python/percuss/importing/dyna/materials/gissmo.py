@@ -126,7 +126,7 @@ def add_rates(deck: KeywordDeck, law: Deck, row: Row) -> None:
 
 def find_curve(row: Row, name: str) -> int:
     """The id of a curve, which some fields give with a minus."""
-    return abs(int(row.number(name))) + (row.change.shift_of(row.card, "LCID") if row.change else 0)
+    return int(abs(int(row.number(name))) + (row.change.shift_of(row.card, "LCID") if row.change else 0))
 
 
 def make_rows(deck: KeywordDeck, row: Row, name: str, across: str = "none") -> list[list[float]]:

@@ -39,8 +39,8 @@ def find_swift_strain(card: Card, row: Row, more: Row, k: float, n: float) -> fl
     if given > 0:
         return given
     if spi > MOST_SPI:
-        return (spi * scale("stress", card.change.factors) / k) ** (1 / n)
-    return spi if spi > 0 else (row.positive("E") / k) ** (1 / (n - 1))
+        return float((spi * scale("stress", card.change.factors) / k) ** (1 / n))
+    return float(spi if spi > 0 else (row.positive("E") / k) ** (1 / (n - 1)))
 
 
 def add_swift(deck: KeywordDeck, card: Card, row: Row, more: Row, law: Deck) -> None:

@@ -161,7 +161,7 @@ def note_viscosity(deck: KeywordDeck, row: Row, name: str) -> None:
 
 def find_bulk_modulus(law: Deck) -> float:
     """From Young's modulus."""
-    return law["youngs_modulus"] / (3 * (1 - 2 * law["poissons_ratio"]))
+    return float(law["youngs_modulus"] / (3 * (1 - 2 * law["poissons_ratio"])))
 
 
 def set_failure(law: Deck, **limits: float) -> None:

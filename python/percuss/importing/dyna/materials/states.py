@@ -139,11 +139,11 @@ def translate_state(deck: KeywordDeck, use: Use) -> Deck | None:
 def initial_bulk_modulus(state: Deck, density: float) -> float:
     """Slope of pressure over compression at the start."""
     if state["kind"] == "linear":
-        return state["bulk_modulus"]
+        return float(state["bulk_modulus"])
     if state["kind"] == "mie_grueneisen":
-        return density * state["sound_speed"] ** 2
+        return float(density * state["sound_speed"] ** 2)
     if state["kind"] == "tabulated":
         rows = state["cold"]
         (x0, y0), (x1, y1) = next((pair for pair in zip(rows, rows[1:]) if pair[1][0] > 0), (rows[-2], rows[-1]))
-        return (y0 - y1) / (x1 - x0)
+        return float((y0 - y1) / (x1 - x0))
     return state.get("c1", 0.0)

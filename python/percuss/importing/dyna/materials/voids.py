@@ -1,5 +1,6 @@
 """*MAT_GURSON: metals with voids."""
 
+from ...curves import Points
 from ...fields import Row
 from ...ledger import BadInput
 from ...model import Deck
@@ -42,7 +43,7 @@ def gurson(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     return law
 
 
-def harden(deck: KeywordDeck, card: Card, row: Row, more: Row, kind: int, points: list) -> list[list[float]]:
+def harden(deck: KeywordDeck, card: Card, row: Row, more: Row, kind: int, points: Points) -> list[list[float]]:
     """ATYP: 0 none, 1 a power law, 2 a tangent modulus, 3 rows."""
     stress, e = row.positive("SIGY"), row.positive("E")
     if kind == 1:
