@@ -890,6 +890,16 @@ class Scene(InFolder):
         self.assertNotIn("hourglass", self.read(full)[0].blocks[1].keys)
         self.accept(full)
 
+    def test_a_fluid_has_the_hourglass_control_of_percuss(self):
+        text = decks.TWO_PARTS.replace("4,4,3\n", "4,4,8\n").replace("*END", "*MAT_ELASTIC_FLUID\n8,1000.0,0,0,0,0,2.2e9\n0\n*END")
+        model = self.read(text)[0]
+        self.assertNotIn("elements", model.deck)
+        self.assertNotIn("hourglass", model.blocks[1].keys)
+        self.accept(text)
+        solid = text.replace("*END", "*CONTROL_HOURGLASS\n4,0.03\n*HOURGLASS\n9,1,1e-4\n*END").replace("4,4,8\n", "4,4,8,0,9\n")
+        self.assertEqual(self.read(solid)[0].blocks[1].keys["hourglass"], {"kind": "viscous", "coefficient": 1e-4})
+        self.accept(solid)
+
     def test_hourglass_control_of_shells_is_a_share_of_their_stiffness(self):
         text = decks.FORMS.replace("*PART\nplate\n         8         8         8\n", "*PART\nplate\n8,8,8,0,19\n")
         text = text.replace("*END", "*HOURGLASS\n19,4,0.02\n*END")

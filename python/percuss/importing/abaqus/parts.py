@@ -5,6 +5,7 @@ from collections import Counter
 from ..fields import clip
 from ..laws import NOT_DAMPED, has_axes, takes_stiffness_damping
 from ..ledger import BadInput, Place, missing
+from ..model import FLUID_HOURGLASS
 from ..model import Block as Part
 from ..model import Deck
 from ..solids import NAMES, collapse
@@ -150,11 +151,13 @@ def build_part(deck: AbaqusDeck, section: Section, number: int, material: str, l
         deck.ledger.translated(section.keyword, section.place, "a part")
 
 
+def is_fluid(deck: AbaqusDeck, part: Part) -> bool:
+    return deck.model.materials[part.keys["material"]]["model"] == "fluid"
+
+
 def add_controls(deck: AbaqusDeck, section: Section, part: Part) -> None:
     """Hourglass control of hexahedra, and factors of viscosity, of *SECTION CONTROLS.
-    A fluid does not resist by default."""
-    if part.solids and deck.model.materials[part.keys["material"]]["model"] == "fluid":
-        part.keys["hourglass"] = "viscous"
+    A fluid that is to be viscous has the control of percuss."""
     if not section.controls:
         return
     block = deck.controls.get(section.controls)
@@ -177,7 +180,8 @@ def add_controls(deck: AbaqusDeck, section: Section, part: Part) -> None:
     if kind and part.solids and section.kind == "SHELL":
         deck.ledger.ignored("SECTION CONTROLS.HOURGLASS", block.place, "thick shells have no hourglass modes")
     elif kind and part.solids and any(len(set(corners)) == 8 for _, corners in part.solids):
-        part.keys["hourglass"] = ours[kind]
+        if ours[kind] != "viscous" or not is_fluid(deck, part):
+            part.keys["hourglass"] = ours[kind]
         deck.ledger.approximated("SECTION CONTROLS", block.place,
                                  "hourglass control of its kind, with the coefficient of percuss")
     factors = [block.number(line, i, 1.0) for i in range(5)]
@@ -276,6 +280,8 @@ def choose_integration(deck: AbaqusDeck) -> None:
         part = deck.model.blocks[block]
         if kind != chosen:
             part.keys["integration"] = kind
+            if chosen == "full" and is_fluid(deck, part):
+                part.keys.setdefault("hourglass", dict(FLUID_HOURGLASS))
         if kind == "full" and part.keys.pop("hourglass", "") and deck.controls:
             deck.ledger.ignored("SECTION CONTROLS.HOURGLASS", part.place,
                                 "hexahedra of eight points have no hourglass modes")

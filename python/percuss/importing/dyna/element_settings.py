@@ -5,7 +5,7 @@ from collections import Counter
 
 from ..fields import Row
 from ..ledger import BadInput, missing
-from ..model import Block, Deck
+from ..model import FLUID_HOURGLASS, Block, Deck
 from .cards import Card
 from .deck import KeywordDeck
 from .materials.shared import COROTATIONAL
@@ -16,6 +16,7 @@ FULL_SHELLS = {6, 7, 11, 16, -16, 18, 20, 21, 26}  # integrated at several point
 ONE_POINT, FULL = {1}, {-2, -1, 2, 3, 18}
 TETRAHEDRA_FORMS = {10, 13, 16, 17}  # the last two of ten nodes
 WEDGE_FORMS = {15, 115}
+FLUIDS = (str(FLUID_HOURGLASS["kind"]), float(FLUID_HOURGLASS["coefficient"]))
 HOURGLASS_KINDS = {1: "viscous", 2: "viscous", 3: "viscous", 4: "stiffness", 5: "stiffness", 8: "assumed_strain"}
 
 
@@ -132,7 +133,8 @@ def translate_hourglass(deck: KeywordDeck, general: Row | None) -> None:
                 deck.ledger.approximated(row.card, row.place, "2x2x2 points and other solids have no coefficient")
             continue
         key = judge_hourglass(row, deck.model.materials[block.keys["material"]])
-        counts[key] += count
+        if row or key != FLUIDS:
+            counts[key] += count
         chosen_by.append((block, key))
         text = key[0] + (f" with {key[1]}" if key[0] != "assumed_strain" else "")
         card = row.card if row else "HOURGLASS (none)"
@@ -140,8 +142,9 @@ def translate_hourglass(deck: KeywordDeck, general: Row | None) -> None:
     chosen = counts.most_common(1)[0][0] if counts and not all_full else ("assumed_strain", 0.0)
     if chosen[0] != "assumed_strain":
         deck.model.deck.setdefault("elements", {})["hourglass"] = {"kind": chosen[0], "coefficient": chosen[1]}
+    is_left_to_fluids = not all_full and chosen[0] == "assumed_strain"  # percuss's own default
     for block, key in chosen_by:
-        if key != chosen:
+        if key != chosen and not (is_left_to_fluids and key == FLUIDS):
             block.keys["hourglass"] = key[0] if key[0] == "assumed_strain" else {"kind": key[0], "coefficient": key[1]}
 
 
@@ -188,7 +191,7 @@ def judge_hourglass(row: Row | None, law: Deck) -> tuple[str, float]:
     """Kind and coefficient of percuss. Where the deck says nothing, percuss has its own default too;
     but a fluid does not resist, as by default in LS-DYNA."""
     if row is None:
-        return ("viscous", 0.1) if law["model"] == "fluid" else ("assumed_strain", 0.0)
+        return FLUIDS if law["model"] == "fluid" else ("assumed_strain", 0.0)
     kind = HOURGLASS_KINDS.get(row.integer("IHQ") or 1, "assumed_strain")
     coefficient = row.number("QM" if row.card == "HOURGLASS" else "QH") or 0.1
     return kind, 0.0 if kind == "assumed_strain" else min(abs(coefficient), 1.0)
