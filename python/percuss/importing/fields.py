@@ -56,8 +56,8 @@ REASONS = {
     "storage": "how data are stored",
     "attribute": "of members of a set, which only cards use that are refused",
     "default": "the defaults of what another card gives",
-    "penalty": "of the penalty method, its stiffness and search: percuss corrects velocities, "
-               "and holds joints and walls without springs",
+    "penalty": "of the penalty method, its stiffness and search: percuss corrects velocities, pushes "
+               "sheets apart by springs of its own, and holds joints and walls without springs",
 }
 
 

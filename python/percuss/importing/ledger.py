@@ -13,8 +13,8 @@ ELSEWHERE = ("no row of its own: nothing that is translated refers to it, "
              "or its effect is in another row of this keyword")
 NO_COUNTERPART = "percuss has no counterpart"
 # what became of those of a deck
-NO_SPRINGS = ("percuss corrects velocities, without springs in contact; "
-              "contact.enforcement: penalty has springs of its own")
+NO_SPRINGS = ("percuss corrects velocities, and has springs of its own stiffness between sheets alone; "
+              "contact.enforcement: penalty has them everywhere")
 MOST_FAULTS = 20  # after which reading stops
 
 

@@ -63,7 +63,7 @@ class StartTable:
     rows: dict[int, list[str]] = field(default_factory=dict)
 
 
-FLUID_HOURGLASS: Deck = {"kind": "viscous", "coefficient": 0.002}  # of fluids by default, where `elements` says nothing of it
+FLUID_HOURGLASS: Deck = {"kind": "viscous", "coefficient": 0.002}  # default of fluids
 NESTED = ("loads", "contact", "start", "output", "elements", "time")  # sections whose own entries are lists and maps
 
 

@@ -200,7 +200,8 @@ class AbaqusDeck:
         raise BadInput(place, f"'{clip(name)}' may be one of {len(fits)} {what}s (several instances have it): "
                               "write INSTANCE.NAME")
 
-    def list_ids(self, table: dict[str, list[int]], known: Collection[int], name: str, place: Place, what: str) -> list[int]:
+    def list_ids(self, table: dict[str, list[int]], known: Collection[int], name: str, place: Place,
+                 what: str) -> list[int]:
         """Ids of a set, or one id: of the assembly, or as INSTANCE.ID."""
         instance, _, label = self.tidy(name).rpartition(".")
         id = parse_integer(label)

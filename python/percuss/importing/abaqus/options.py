@@ -99,7 +99,7 @@ KNOWN = {
 OWN_STEP = "numerics: percuss chooses a stable step"
 OF_STANDARD = "numerics of implicit steps, which an explicit one does not have"
 ENFORCED = ("the stiffness or the constraint that enforces contact: percuss corrects velocities, "
-            "so that contact has no stiffness, unless contact.enforcement is penalty")
+            "and has springs of its own stiffness between sheets, or everywhere if contact.enforcement is penalty")
 SEARCHED = "how contact is searched for and followed: percuss searches in its own way"
 SMOOTHED = "how rates and their tables are smoothed: percuss takes the rate of the step, and the tables as they are"
 ADAPTIVE = "of adaptive meshes, which percuss does not have"
