@@ -53,6 +53,7 @@ struct LaminateLayer {
   PlyMaterial materials[most_materials];
 
   static constexpr int count_history() { return PlyHistory::count; }
+  PERCUSS_FORCE_INLINE const LaminateLayer* find_laminate() const { return this; }
 
   /// The reference axis in the frame of the element. history: of any point.
   template <class T>

@@ -153,9 +153,9 @@ inline std::array<double, FabricHistory::count> lay_threads(const ShellGeometry<
 /// What advance_layers() does, of fabric: its stress is that of where the corners are. Its work is that over the area
 /// at n+1/2, which the element multiplies with.
 template <class T, class Lives>
-PERCUSS_FORCE_INLINE LayerSums<T> advance_fabric(const ShellParameters<FabricLayer>& par, const ElementStep<T>& step,
-                                                 const ShellGeometry<T>& end, T* layer,
-                                                 [[maybe_unused]] const Lives& lives, T& stiffening) {
+PERCUSS_NO_INLINE LayerSums<T> advance_fabric(const ShellParameters<FabricLayer>& par, const ElementStep<T>& step,
+                                              const ShellGeometry<T>& end, T* layer,
+                                              [[maybe_unused]] const Lives& lives, T& stiffening) {
   LayerSums<T> sums{{T(0), T(0), T(0)}, {T(0), T(0), T(0)}, T(0), T(0), {}, {T(1), T(1), T(1), T(1)}};
   const PlacedThreads<T> placed = place_threads(end, layer + 3);
   const FabricResponse<T> response = par.material.update(placed.threads, placed.warp_strain, layer + 3);
@@ -199,11 +199,11 @@ PERCUSS_NO_INLINE ShellResult<T> advance_membrane(const ShellParameters<Material
   const ElementStep<T> of_layers{rate, dt, half * state.thickness, middle};
   T stiffening(1);
   LayerSums<T> layers;
-  if constexpr (is_fabric<Material>)
+  if constexpr (requires { advance_fabric(par, of_layers, end, stored.layer, lives, stiffening); })
     layers = advance_fabric(par, of_layers, end, stored.layer, lives, stiffening);
   else
     layers = advance_layers(par, of_layers, stored.layer, lives);
-  const StoredForces<Material::can_yield, Lives::can_fail, has_plies<Material>, T> forces{layers.flow, layers.left};
+  const StoredForces<Material::can_yield, Lives::can_fail, T> forces{layers.flow, layers.left, false};
   const ShellStep<T> step{middle, rate, dt, T(par.stabilization) * dt};
   const T hourglass_work =
       advance_membrane_hourglass(par.material.elasticity, step, layers.flow, forces, shapes, state);

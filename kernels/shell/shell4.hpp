@@ -171,6 +171,15 @@ PERCUSS_FORCE_INLINE ShellRates<T> join_stresses(const ShellState<T>& state, con
   return on;
 }
 
+/// The laminate that layers are; null: they are none.
+template <class Material>
+PERCUSS_FORCE_INLINE const LaminateLayer* find_laminate([[maybe_unused]] const Material& material) {
+  if constexpr (requires { material.find_laminate(); })
+    return material.find_laminate();
+  else
+    return nullptr;
+}
+
 /// Advances the stress in transverse shear. share: of the stiffness that the shape leaves. Returns the work of the step
 /// per volume, with that of the layers.
 template <class T, class Material, class Lives>
@@ -179,10 +188,10 @@ PERCUSS_FORCE_INLINE T advance_shear(const Material& material, const ElementStep
   const auto& [rate, dt, half_thickness, middle] = step;
   const T half = T(0.5);
   T work = layers.work;
-  if constexpr (has_plies<Material>) {
+  if (const LaminateLayer* const laminate = find_laminate(material); laminate != nullptr) {
     // Damage of plies takes its share, as of other forces that belong to no layer.
     T change[2];
-    material.find_shear(material.find_reference(layer + 3), rate.shear, change);
+    laminate->find_shear(LaminateLayer::find_reference(layer + 3), rate.shear, change);
     for (int k = 0; k < 2; ++k) {
       const T moved = shear[k] + layers.flow.shear_secant * share * dt * change[k];
       const T after = layers.flow.shear * moved;
@@ -257,7 +266,8 @@ PERCUSS_FORCE_INLINE ShellResult<T> advance_shell4(const ShellParameters<Materia
   T share = T(1);
   if constexpr (Shapes::has_triangles) share = find_shear_share(middle, state.thickness, shapes);
   const T work = advance_shear<T, Material, Lives>(par.material, of_layers, layers, stored.layer, share, state.shear);
-  const StoredForces<Material::can_yield, Lives::can_fail, has_plies<Material>, T> forces{layers.flow, layers.left};
+  const StoredForces<Material::can_yield, Lives::can_fail, T> forces{layers.flow, layers.left,
+                                                                     find_laminate(par.material) != nullptr};
   const ShellStep<T> step{middle, rate, dt, T(par.stabilization) * dt};
   const T hourglass_work = advance_hourglass(elastic, step, forces, shapes, state);
   const T old_thickness = state.thickness;

@@ -1,10 +1,23 @@
 #include "kernels/shell/shell_force.hpp"
 
 #include "kernels/element/chunk_launcher.hpp"
-#include "kernels/shell/membrane.hpp"
+#include "kernels/shell/called_layer.hpp"
 #include "kernels/shell/shell_corners.hpp"
 
 namespace percuss {
+
+/// A block of layers that are called.
+template <>
+struct ShellBlock<CalledLayer> {
+  Array<int> chunks;
+  AnyShell first;  // of the parameters
+
+  KOKKOS_FUNCTION ShellParameters<CalledLayer> parameters(int row) const {
+    ShellParameters<CalledLayer> of;
+    first.visit([&](const auto* rows) { of = call_layers(rows[row]); });
+    return of;
+  }
+};
 
 namespace {
 
@@ -12,18 +25,16 @@ namespace {
 /// folded, and dies. One that cannot goes on.
 constexpr double shell_folded_cosine = 0.0995;
 
-/// Body of ElementKernel. CanFail: some chunks can; HasTriangles: some elements are triangles. Bodies of elements that
-/// can fail always look for triangles: a body without would take longer to compile than it saves in a step (2 %).
-template <class Layer, bool CanFail, bool HasTriangles>
+/// Body of ElementKernel. IsPlain: no chunk can fail, and no element is a triangle.
+template <class Layer, bool IsPlain>
 struct ShellBody {
   using Block = ShellBlock<Layer>;
-  // A copy, which nothing else writes to, is faster; that of a laminate is too large.
-  using Parameters = std::conditional_t<has_plies<Layer>, const ShellParameters<Layer>&, const ShellParameters<Layer>>;
+  using Parameters = const ShellParameters<Layer>;  // a copy, which nothing else writes to, is faster
   using Scratch = ShellScratch;
   using Sums = ChunkSums<double>;
-  using Lives = LivingLanes<double, CanFail>;
+  using Lives = LivingLanes<double, !IsPlain>;
   static constexpr int width = shell_width;
-  static constexpr int most_points = has_plies<Layer> ? most_layers : most_thickness_points;
+  static constexpr int most_points = std::is_same_v<Layer, CalledLayer> ? most_layers : most_thickness_points;
   static constexpr int largest_record = find_shell_record_size(most_points, Layer::most_history) * width;
   const BlockStep<Block>& of;
   const TeamChunk& chunk;
@@ -32,7 +43,7 @@ struct ShellBody {
   PERCUSS_FORCE_INLINE ShellBody(const BlockStep<Block>& of_step, const TeamChunk& of_team, const Scratch& own)
       : of(of_step), chunk(of_team), scratch(own) {}
 
-  KOKKOS_FUNCTION static const ShellParameters<Layer>& find_parameters(const BlockStep<Block>& of, int c) {
+  KOKKOS_FUNCTION static ShellParameters<Layer> find_parameters(const BlockStep<Block>& of, int c) {
     return of.block.parameters(of.chunks.parameters(c));
   }
   KOKKOS_FUNCTION static bool may_rest(const BlockStep<Block>&, int) { return true; }
@@ -45,15 +56,13 @@ struct ShellBody {
                                       Lanes(of.motion.dt)};
     Vector3<Lanes> f[4], m[4];
     ShellResult<Lanes> result;
-    if constexpr (CanFail) {
-      if (lives.can_fail()) {
+    if (lives.can_fail()) {
+      if constexpr (!IsPlain) {
         result = advance_shapes(parameters, corners, pack, find_layers(pack.first, parameters.points.count), {f, m});
         const auto is_open = Lanes(shell_folded_cosine) < result.least_cosine;
         lives.settle(result, select(is_open, result.size, Lanes(0.0)), f, m);
-      } else {
-        result = advance_shapes(parameters, corners, pack, WholeLayers{}, {f, m});
       }
-    } else {  // a body for layers that fail is not compiled
+    } else {
       result = advance_shapes(parameters, corners, pack, WholeLayers{}, {f, m});
     }
     scratch.scatter(0, f, pack);
@@ -71,23 +80,12 @@ struct ShellBody {
                   "its scalars lie like the record's");
     auto* const record = reinterpret_cast<Lanes*>(pack.record);
     const StoredShell<Lanes> stored{*reinterpret_cast<ShellState<Lanes>*>(record), record + ShellRecord::layers};
-    if constexpr (HasTriangles) {
-      return advance_stored(parameters, corners, stored, out, layers, find_shapes(pack.corners));
-    } else {
-      return advance_stored(parameters, corners, stored, out, layers, Quadrilaterals{});
-    }
-  }
-
-  template <class Layers, class Shapes>
-  PERCUSS_FORCE_INLINE static ShellResult<Lanes> advance_stored(const ShellParameters<Layer>& parameters,
-                                                                const CornerMotion<Lanes>& corners,
-                                                                const StoredShell<Lanes>& stored,
-                                                                const CornerLoads<Lanes>& out, const Layers& layers,
-                                                                const Shapes& shapes) {
-    if constexpr (!is_fabric<Layer>) {
-      if (!parameters.is_membrane) return advance_shell4(parameters, corners, stored, out, layers, shapes);
-    }
-    return advance_membrane(parameters, corners, stored, out, layers, shapes);
+    if (parameters.is_membrane)
+      return advance_membrane(call_layers(parameters), corners, stored, out, layers, find_shapes(pack.corners));
+    if constexpr (IsPlain)
+      return advance_shell4(parameters, corners, stored, out, layers, Quadrilaterals{});
+    else
+      return advance_shell4(parameters, corners, stored, out, layers, find_shapes(pack.corners));
   }
 
   /// Layers of a pack that can fail. first: its first element.
@@ -110,12 +108,14 @@ template <class Layer>
 void advance_block(const ExecSpace& space, const ElementChunks& chunks, const ShellBlock<Layer>& block,
                    const ElementMotion& motion, const ChunkFields& fields) {
   constexpr const char* label = "percuss::advance_shells";
-  if (motion.failing.first_layer.extent(0) > 0)
-    launch_elements<ShellBody<Layer, true, true>>(label, space, chunks, block, motion, fields);
-  else if (block.has_triangles)
-    launch_elements<ShellBody<Layer, false, true>>(label, space, chunks, block, motion, fields);
+  constexpr bool is_compiled_in = std::is_same_v<Layer, ElasticLayer> || std::is_same_v<Layer, J2Layer>;
+  if constexpr (!is_compiled_in)
+    launch_elements<ShellBody<CalledLayer, false>>(
+        label, space, chunks, ShellBlock<CalledLayer>{block.chunks, AnyShell(block.parameters.data())}, motion, fields);
+  else if (motion.failing.first_layer.extent(0) > 0 || block.has_triangles)
+    launch_elements<ShellBody<Layer, false>>(label, space, chunks, block, motion, fields);
   else
-    launch_elements<ShellBody<Layer, false, false>>(label, space, chunks, block, motion, fields);
+    launch_elements<ShellBody<Layer, true>>(label, space, chunks, block, motion, fields);
 }
 
 }  // namespace

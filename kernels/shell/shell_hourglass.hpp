@@ -69,11 +69,11 @@ struct PlyFlow {
 };
 
 /// Advances stored forces by what their rates add, and sums their work.
-/// HasPlies: those in shear follow the layers too.
-template <bool CanYield, bool CanFail, bool HasPlies, class T>
+template <bool CanYield, bool CanFail, class T>
 struct StoredForces {
   const FlowShares<T>& flow;
   const SectionLeft<T>& left;
+  bool has_plies;  // those in shear follow the layers too
   T work = T(0);
 
   PERCUSS_FORCE_INLINE void add_work(const T& added, [[maybe_unused]] const T& counted) {
@@ -85,7 +85,7 @@ struct StoredForces {
   }
 
   PERCUSS_FORCE_INLINE void advance_in_shear(T& force, const T& change, const T& along) {
-    if constexpr (HasPlies) return advance_flowing(force, change, along, flow.shear, left.mean_membrane);
+    if (has_plies) return advance_flowing(force, change, along, flow.shear, left.mean_membrane);
     add_work((force + T(0.5) * change) * along, left.mean_membrane);
     force = force + change;
   }
@@ -176,9 +176,9 @@ struct ShellStep {
 /// Advances the stored forces by their rates: the stiffness of the element's own membrane, bending and shear beyond
 /// what its point sees (physical stabilisation, Belytschko and Leviatan 1994), and that against drilling, with what the
 /// flow of its layers leaves of both (deformation theory of plasticity: its secant modulus). Returns their work.
-template <bool CanYield, bool CanFail, bool HasPlies, class T, class Shapes>
+template <bool CanYield, bool CanFail, class T, class Shapes>
 PERCUSS_FORCE_INLINE T advance_hourglass(const PlaneElasticity& e, const ShellStep<T>& step,
-                                         StoredForces<CanYield, CanFail, HasPlies, T> stored, const Shapes& shapes,
+                                         StoredForces<CanYield, CanFail, T> stored, const Shapes& shapes,
                                          ShellState<T>& state) {
   const ShellGeometry<T>& g = step.middle;
   const ShellRates<T>& rate = step.rate;
