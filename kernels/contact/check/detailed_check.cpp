@@ -70,8 +70,8 @@ PERCUSS_FORCE_INLINE void measure_boxed(const SurfaceOffsets& offsets, const Sur
   }
 }
 
-PERCUSS_FORCE_INLINE void measure_faces(const SurfaceOffsets& offsets, const SurfaceMotion& motion,
-                                        const MeasuredFaces& faces, const FaceState& out) {
+PERCUSS_NO_INLINE void measure_faces(const SurfaceOffsets& offsets, const SurfaceMotion& motion,
+                                     const MeasuredFaces& faces, const FaceState& out) {
   const FaceOf<Packed> at = load_corners(motion.x, faces.corner), velocity = load_corners(motion.v, faces.corner);
   // Relative to the first corner, so that nothing degrades far from the origin of the coordinates.
   RelativeFaceOf<Packed> relative{find_relative(at), find_relative(velocity)};

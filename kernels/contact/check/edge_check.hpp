@@ -300,7 +300,7 @@ KOKKOS_INLINE_FUNCTION bool find_place(const PairInReach& p, EdgeTouch& touch) {
 }
 
 /// Checks one pair over the step; touch is meaningful if the answer is true.
-KOKKOS_INLINE_FUNCTION bool check_edge_pair(const CheckedEdges& edges, const MovingPair& pair, EdgeTouch& touch) {
+PERCUSS_NO_INLINE inline bool check_edge_pair(const CheckedEdges& edges, const MovingPair& pair, EdgeTouch& touch) {
   const EdgeSurface& surface = edges.surface;
   const auto& [a, b] = edges.edge;
   const Point3* const last_normal = edges.last_normal;
@@ -346,8 +346,8 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const CheckedEdges& edges, const Mov
 /// How deep two edges are inside one another at the places of a motion with dt = 0; 0 if they are not, or deeper than
 /// half of h (with thickness between them, deeper than their lines), where an edge is no longer said to have come from
 /// that side. Pairs with a blunt edge are inside one another once they would touch.
-KOKKOS_INLINE_FUNCTION double find_edge_depth(const EdgeSurface& surface, const SurfaceMotion& motion, int a, int b,
-                                              EdgeTouch& touch) {
+PERCUSS_NO_INLINE inline double find_edge_depth(const EdgeSurface& surface, const SurfaceMotion& motion, int a, int b,
+                                                EdgeTouch& touch) {
   constexpr double deepest = 0.5;
   Crossing c = find_crossing(load_moving_pair(surface, motion, a, b).start, contact_limits::least_sine);
   if (!c.crosses || !is_inside(c, contact_limits::end_band)) return 0;

@@ -132,8 +132,8 @@ KOKKOS_INLINE_FUNCTION bool check_swept(const ContactSurface& surface, const Fac
 
 /// Passed: the node went through the face in the last step, where no check saw it going: pushes of that step turned it,
 /// or the face. The way back from n is that of the last step for all that was pushed in it.
-KOKKOS_INLINE_FUNCTION bool check_passed(const ContactSurface& surface, const FaceState& faces,
-                                         const RelativeFace& relative, const FacePoints& end, Touch& touch) {
+PERCUSS_NO_INLINE inline bool check_passed(const ContactSurface& surface, const FaceState& faces,
+                                           const RelativeFace& relative, const FacePoints& end, Touch& touch) {
   const double h = touch.size;
   FacePoints before;
   for (int i = 0; i < 4; ++i) before.corner[i] = relative.start.corner[i] - relative.move.corner[i];
@@ -162,8 +162,8 @@ KOKKOS_INLINE_FUNCTION bool is_surely_not_held(const FacePoints& move, double di
 
 /// Held: at the face at the start of the step and so far behind it at the end that the closest point there says
 /// nothing. Only at speeds of the order of a face a step.
-KOKKOS_INLINE_FUNCTION bool check_held(const ContactSurface& surface, const FaceState& faces, const FacePoints& start,
-                                       const FacePoints& end, Touch& touch) {
+PERCUSS_NO_INLINE inline bool check_held(const ContactSurface& surface, const FaceState& faces, const FacePoints& start,
+                                         const FacePoints& end, Touch& touch) {
   const double h = touch.size;
   const bool known = touch.record >= 0;
   const FacePoint closest = find_closest_point(start);
@@ -179,8 +179,8 @@ KOKKOS_INLINE_FUNCTION bool check_held(const ContactSurface& surface, const Face
 
 /// Kept: the face pushed the node in the last step and the predicted place is beside it. Between two faces that meet in
 /// a valley neither may be dropped before the other holds the node, or it is pushed into the one that is.
-KOKKOS_INLINE_FUNCTION bool check_kept(const ContactSurface& surface, const FaceState& faces, const FacePoints& start,
-                                       const FacePoints& end, Touch& touch) {
+PERCUSS_NO_INLINE inline bool check_kept(const ContactSurface& surface, const FaceState& faces, const FacePoints& start,
+                                         const FacePoints& end, Touch& touch) {
   if (!touch.same_face) return false;
   const double h = touch.size;
   const FacePoint before = find_closest_point(start);

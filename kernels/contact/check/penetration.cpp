@@ -31,7 +31,7 @@ KOKKOS_INLINE_FUNCTION bool may_overlap(const ContactSurface& surface, const Fac
   return has_opposed_face(surface, faces, node, face, offset > 0 ? -flat_on_itself : contact_limits::opposing);
 }
 
-KOKKOS_INLINE_FUNCTION FaceDepth find_face_depth(const MovingSurface& moving, int node, int face) {
+PERCUSS_NO_INLINE FaceDepth find_face_depth(const MovingSurface& moving, int node, int face) {
   const ContactSurface& surface = moving.surface;
   const SurfaceMotion& motion = moving.motion;
   const FaceState& faces = moving.faces;
@@ -109,7 +109,7 @@ KOKKOS_INLINE_FUNCTION bool is_first_of_body(const ContactSurface& surface, cons
 /// find_gaps(): the node is behind the face or of the same body.
 constexpr double no_gap = -1;
 
-KOKKOS_INLINE_FUNCTION double find_gap(const MovingSurface& moving, int node, int face) {
+PERCUSS_NO_INLINE double find_gap(const MovingSurface& moving, int node, int face) {
   const ContactSurface& surface = moving.surface;
   const FaceState& faces = moving.faces;
   if (surface.node_body(node) == surface.face_body(face)) return no_gap;

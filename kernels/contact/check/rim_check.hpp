@@ -213,7 +213,7 @@ KOKKOS_INLINE_FUNCTION EndBeforeRim load_end_of(const CheckedEdges& p, const Edg
 }
 
 /// Checks the ends of one edge of a pair before the other one; touch is meaningful if the answer is true.
-KOKKOS_INLINE_FUNCTION bool check_rim_pair(const CheckedEdges& p, const MovingPair& pair, EdgeTouch& touch) {
+PERCUSS_NO_INLINE inline bool check_rim_pair(const CheckedEdges& p, const MovingPair& pair, EdgeTouch& touch) {
   const auto& [a, b] = p.edge;
   const bool is_rim_of[2] = {is_rim(p.surface, a), is_rim(p.surface, b)};
   if (!is_rim_of[0] && !is_rim_of[1]) return false;
@@ -243,8 +243,8 @@ KOKKOS_INLINE_FUNCTION bool check_rim_pair(const CheckedEdges& p, const MovingPa
 
 /// How deep the ends of two edges are inside a beam of the pair at the places of a motion with dt = 0, where their
 /// lines do not cross: find_edge_depth().
-KOKKOS_INLINE_FUNCTION double find_beam_depth(const EdgeSurface& surface, const SurfaceMotion& motion, int a, int b,
-                                              EdgeTouch& touch) {
+PERCUSS_NO_INLINE inline double find_beam_depth(const EdgeSurface& surface, const SurfaceMotion& motion, int a, int b,
+                                                EdgeTouch& touch) {
   if (!is_beam(surface, a) && !is_beam(surface, b)) return 0;
   const EdgePair at = load_moving_pair(surface, motion, a, b).start;
   const Array<EdgeFaces> none;

@@ -108,7 +108,7 @@ struct SweptHit {
 
 /// The first time at which the node (the origin) goes through the fan from front to back, at most `band` beside it.
 /// face: corners at tau = 0; moves: their displacements over the step; both relative to the node.
-KOKKOS_INLINE_FUNCTION SweptHit sweep_face(const FacePoints& face, const FacePoints& moves, double band) {
+PERCUSS_NO_INLINE inline SweptHit sweep_face(const FacePoints& face, const FacePoints& moves, double band) {
   const Point3 middle = find_middle(face), middle_move = find_middle(moves);
   SweptHit first;
   for (int k = 0; k < 4; ++k) {
