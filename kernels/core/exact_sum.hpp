@@ -11,7 +11,7 @@
 #include <string>
 
 #include "kernels/core/host_copy.hpp"
-#include "kernels/core/views.hpp"
+#include "kernels/core/small_space.hpp"
 
 namespace percuss {
 
@@ -110,8 +110,8 @@ class ExactSums {
 
   /// body(i, add) is called for every item 0 <= i < count, in no order, with an ExactAdder: add(k, value) adds to sum
   /// k. Returns the sums with their carries moved up.
-  template <class Space, class Body>
-  Totals operator()(const Space& space, int count, const Body& body) {
+  template <class Body>
+  Totals operator()(const WorkSpace& space, int count, const Body& body) {
     const int most = 4 * space.concurrency();
     int blocks = (count + shortest_ - 1) / shortest_;
     if (blocks > most) blocks = most;
@@ -121,8 +121,8 @@ class ExactSums {
       blocks_ = Blocks(Kokkos::view_alloc(label_, Kokkos::WithoutInitializing), static_cast<std::size_t>(blocks));
     }
     const Blocks sums = blocks_;
-    Kokkos::parallel_for(
-        label_, Kokkos::RangePolicy<Space, Kokkos::IndexType<int>>(space, 0, blocks), KOKKOS_LAMBDA(const int b) {
+    parallel_for(
+        label_.c_str(), RangeOf(space, 0, blocks), KOKKOS_LAMBDA(const int b) {
           for (int k = 0; k < K; ++k) sums(b, k) = ExactSum{};
           const auto begin = static_cast<int>(static_cast<std::int64_t>(count) * b / blocks);
           const auto end = static_cast<int>(static_cast<std::int64_t>(count) * (b + 1) / blocks);

@@ -8,8 +8,8 @@
 namespace percuss {
 
 /// One value of a view, on the host.
-template <class Space, class T>
-std::remove_const_t<T> read_value(const Space& space, const Array<T>& view, int i) {
+template <class T>
+std::remove_const_t<T> read_value(const WorkSpace& space, const Array<T>& view, int i) {
   std::remove_const_t<T> value{};
   const auto source = Kokkos::subview(view, i);
   Kokkos::View<std::remove_const_t<T>, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> target(&value);
@@ -19,12 +19,12 @@ std::remove_const_t<T> read_value(const Space& space, const Array<T>& view, int 
 }
 
 /// Writes the i in [0, n) for which wanted(i), ascending; returns how many.
-template <class Space, class Predicate>
-int list_where(const Space& space, int n, const Predicate& wanted, const Array<int>& list) {
+template <class Predicate>
+int list_where(const WorkSpace& space, int n, const Predicate& wanted, const Array<int>& list) {
   int total = 0;
   if (space.concurrency() == 1) {  // a scan would ask everything twice
-    Kokkos::parallel_reduce(
-        "contact::list_where", RangeOf<Space>(space, 0, 1),
+    parallel_reduce(
+        "contact::list_where", RangeOf(space, 0, 1),
         KOKKOS_LAMBDA(int, int& place) {
           for (int i = 0; i < n; ++i)
             if (wanted(i)) list(place++) = i;
@@ -32,8 +32,8 @@ int list_where(const Space& space, int n, const Predicate& wanted, const Array<i
         total);
     return total;
   }
-  Kokkos::parallel_scan(
-      "contact::list_where", RangeOf<Space>(space, 0, n),
+  parallel_scan(
+      "contact::list_where", RangeOf(space, 0, n),
       KOKKOS_LAMBDA(int i, int& place, bool final_pass) {
         if (!wanted(i)) return;
         if (final_pass) list(place) = i;
@@ -89,36 +89,34 @@ struct KeyGroups {
   Array<int> values;  // [KeyedValues::count] out
 };
 
-template <class Space>
-void group_by_key(const Space& space, const KeyedValues& of, const KeyGroups& groups) {
+inline void group_by_key(const WorkSpace& space, const KeyedValues& of, const KeyGroups& groups) {
   const int n = of.count, num_keys = of.num_keys;
   const Array<const int> key = of.key, value = of.value;
   const Array<int> count = groups.count, offset = groups.offset, grouped = groups.values;
   const bool is_alone = space.concurrency() == 1;  // and needs no atomics
-  Kokkos::parallel_for(
-      "contact::group_clear", RangeOf<Space>(space, 0, num_keys), KOKKOS_LAMBDA(int k) { count(k) = 0; });
-  Kokkos::parallel_for(
-      "contact::group_count", RangeOf<Space>(space, 0, n), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::group_clear", RangeOf(space, 0, num_keys), KOKKOS_LAMBDA(int k) { count(k) = 0; });
+  parallel_for(
+      "contact::group_count", RangeOf(space, 0, n), KOKKOS_LAMBDA(int i) {
         if (key(i) >= num_keys) return;
         if (is_alone)
           ++count(key(i));
         else
           Kokkos::atomic_add(&count(key(i)), 1);
       });
-  Kokkos::parallel_scan(
-      "contact::group_offset", RangeOf<Space>(space, 0, num_keys + 1),
-      KOKKOS_LAMBDA(int k, int& place, bool final_pass) {
+  parallel_scan(
+      "contact::group_offset", RangeOf(space, 0, num_keys + 1), KOKKOS_LAMBDA(int k, int& place, bool final_pass) {
         if (final_pass) offset(k) = place;
         if (k < num_keys) place += count(k);
       });
-  Kokkos::parallel_for(
-      "contact::group_fill", RangeOf<Space>(space, 0, n), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::group_fill", RangeOf(space, 0, n), KOKKOS_LAMBDA(int i) {
         if (key(i) >= num_keys) return;
         const int left = is_alone ? count(key(i))-- : Kokkos::atomic_fetch_add(&count(key(i)), -1);
         grouped(offset(key(i) + 1) - left) = value(i);
       });
-  Kokkos::parallel_for(
-      "contact::group_sort", RangeOf<Space>(space, 0, num_keys),
+  parallel_for(
+      "contact::group_sort", RangeOf(space, 0, num_keys),
       KOKKOS_LAMBDA(int k) { sort_run(grouped, offset(k), offset(k + 1)); });
 }
 

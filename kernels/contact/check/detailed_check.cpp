@@ -125,13 +125,12 @@ KOKKOS_INLINE_FUNCTION int find_first_near(const MovingSurface& moving, int node
 }
 
 /// Marks the faces that the check before read often enough; returns how many.
-template <class Space>
-int mark_read_faces(const Space& space, const FaceState& state, const CandidateList& candidates) {
+int mark_read_faces(const WorkSpace& space, const FaceState& state, const CandidateList& candidates) {
   const FaceState faces = state;
   const Array<const int> list = candidates.faces, is_candidate = candidates.is_candidate;
   int count = 0;
-  Kokkos::parallel_reduce(
-      "contact::mark_read_faces", RangeOf<Space>(space, 0, candidates.num_faces),
+  parallel_reduce(
+      "contact::mark_read_faces", RangeOf(space, 0, candidates.num_faces),
       KOKKOS_LAMBDA(int i, int& marked) {
         const int face = list(i);
         const bool is_worth_it = is_candidate(i) != 0 && faces.reads(face) >= faces.worth_preparing();
@@ -152,14 +151,13 @@ KOKKOS_INLINE_FUNCTION bool is_first_prepared(const ContactSurface& surface, con
 }
 
 /// Finds the directions of faces that the check before read. In: normals and slabs of this step.
-template <class Space>
-void prepare_faces(const Space& space, const MovingSurface& surface, const CandidateList& candidates) {
+void prepare_faces(const WorkSpace& space, const MovingSurface& surface, const CandidateList& candidates) {
   if (surface.faces.is_prepared.extent(0) == 0 || mark_read_faces(space, surface.faces, candidates) == 0) return;
   const MovingSurface moving = surface;
   const Array<const int> list = candidates.faces;
   const bool has_shells = surface.surface.offsets.largest > 0;
-  Kokkos::parallel_for(
-      "contact::prepare_faces", RangeOf<Space>(space, 0, candidates.num_faces), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::prepare_faces", RangeOf(space, 0, candidates.num_faces), KOKKOS_LAMBDA(int i) {
         const int face = list(i);
         if (moving.faces.is_prepared(face) == 0) return;
         if (has_shells) {  // half of the faces around a node are those of the other side, which little touches
@@ -177,8 +175,7 @@ void prepare_faces(const Space& space, const MovingSurface& surface, const Candi
 
 }  // namespace
 
-template <class Space>
-void update_faces(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
+void update_faces(const WorkSpace& space, const ContactSurface& surface, const SurfaceMotion& motion,
                   const CandidateList& candidates, const StillFaces& still, const FaceState& faces) {
   const ContactSurface s = surface;
   const SurfaceMotion m = motion;
@@ -187,8 +184,8 @@ void update_faces(const Space& space, const ContactSurface& surface, const Surfa
   const bool is_watched = still.is_watched();
   const Array<const int> list = candidates.faces, is_candidate = candidates.is_candidate;
   const int num_faces = candidates.num_faces;
-  Kokkos::parallel_for(
-      "contact::update_faces", RangeOf<Space>(space, 0, ListedFaces::count_packs(num_faces)), KOKKOS_LAMBDA(int pack) {
+  parallel_for(
+      "contact::update_faces", RangeOf(space, 0, ListedFaces::count_packs(num_faces)), KOKKOS_LAMBDA(int pack) {
         const MeasuredFaces measured(s, list, is_candidate, pack, num_faces);
         bool has_moved = !is_watched;
         for (int lane = 0; is_watched && lane < measured.count; ++lane) {
@@ -217,15 +214,14 @@ struct StillCount {
 };
 
 /// Marks the candidate faces around whose corners some face has moved.
-template <class Space>
-StillCount mark_near_moved(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
+StillCount mark_near_moved(const WorkSpace& space, const ContactSurface& surface, const CandidateList& candidates,
                            const StillFaces& still, const Array<int>& near_moved) {
   const ContactSurface s = surface;
   const StillFaces resting = still;
   const Array<const int> list = candidates.faces, is_candidate = candidates.is_candidate;
   StillCount count;
-  Kokkos::parallel_reduce(
-      "contact::near_moved", RangeOf<Space>(space, 0, candidates.num_faces),
+  parallel_reduce(
+      "contact::near_moved", RangeOf(space, 0, candidates.num_faces),
       KOKKOS_LAMBDA(int i, int& still_faces, int& faces) {
         if (is_candidate(i) == 0) return;
         bool has_moved = resting.has_moved(list(i));
@@ -251,8 +247,7 @@ void reserve_watch(const ContactSurface& surface, const CandidateList& candidate
 
 /// Marks the nodes for which what the last check found still holds: TouchTable::checked_at is then this check, and -1
 /// for the others. Notes what all of them remember.
-template <class Space>
-void mark_kept_nodes(const Space& space, const CheckInputs& inputs, const CandidateList& candidates,
+void mark_kept_nodes(const WorkSpace& space, const CheckInputs& inputs, const CandidateList& candidates,
                      const StillFaces& still, const TouchTable& table) {
   const ContactSurface s = inputs.surface;
   const StillFaces resting = still;
@@ -261,8 +256,8 @@ void mark_kept_nodes(const Space& space, const CheckInputs& inputs, const Candid
   const Array<int> known = table.known, is_still = table.is_still;
   const Array<std::int64_t> checked_at = table.checked_at;
   const std::int64_t now = still.now(), before = still.before();
-  Kokkos::parallel_for(
-      "contact::find_kept_nodes", RangeOf<Space>(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::find_kept_nodes", RangeOf(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
         const int node = nodes(i);
         bool is_kept = checked_at(node) == before;
         for (int slot = 0; slot < contact_limits::max_touches; ++slot) {
@@ -279,8 +274,7 @@ void mark_kept_nodes(const Space& space, const CheckInputs& inputs, const Candid
 
 /// The nodes to be checked: those that moved, or something near them, or that remember other faces than in the last
 /// check. Returns how many, of them or of all nodes if still faces are not watched and none are listed.
-template <class Space>
-int list_checked_nodes(const Space& space, const CheckInputs& inputs, const CandidateList& candidates,
+int list_checked_nodes(const WorkSpace& space, const CheckInputs& inputs, const CandidateList& candidates,
                        StillFaces& still, TouchTable& table) {
   table.num_kept_pairs = 0;
   if (!still.is_watched()) return candidates.num_nodes;
@@ -292,12 +286,12 @@ int list_checked_nodes(const Space& space, const CheckInputs& inputs, const Cand
   const Array<std::int64_t> checked_at = table.checked_at;
   const Array<int> checked = table.checked;
   const std::int64_t now = still.now();
-  const int num_checked = list_where<Space>(
+  const int num_checked = list_where(
       space, candidates.num_nodes, [nodes, checked_at] KOKKOS_FUNCTION(int i) { return checked_at(nodes(i)) < 0; },
       table.checked);
   std::int64_t checked_pairs = 0;
-  Kokkos::parallel_reduce(
-      "contact::count_checked_pairs", RangeOf<Space>(space, 0, num_checked),
+  parallel_reduce(
+      "contact::count_checked_pairs", RangeOf(space, 0, num_checked),
       KOKKOS_LAMBDA(int k, std::int64_t& pairs) {
         const int node = nodes(checked(k));
         pairs += offset(node + 1) - offset(node);
@@ -386,26 +380,24 @@ struct CheckNodes {
 };
 
 /// is_listed: whether TouchTable::checked names the nodes to be checked, or it is all of them.
-template <Thickness thickness, class Space>
-void check_nodes(const Space& space, const CheckInputs& inputs, const CandidateList& candidates, bool is_listed,
+template <Thickness thickness>
+void check_nodes(const WorkSpace& space, const CheckInputs& inputs, const CandidateList& candidates, bool is_listed,
                  int num_checked, TouchTable& table) {
   // Where nothing may be left out, nothing is watched. Nodes of shells seldom have anything to skip.
   const bool skips = thickness == Thickness::none && table.checked_at.extent(0) > 0;
   using Kernel = CheckNodes<thickness>;
   const int blocks = (num_checked + Kernel::block_nodes - 1) / Kernel::block_nodes;
   std::int64_t num_skipped = 0;
-  Kokkos::parallel_reduce(
-      "contact::detailed_check", RangeOf<Space>(space, 0, blocks),
-      Kernel{inputs, candidates.nodes, candidates.offset, candidates.face, candidates.with_history, table.checked,
-             table.is_still, table.near_moved, table.by_node, num_checked, is_listed, skips},
-      table.num_new, num_skipped);
+  parallel_reduce("contact::detailed_check", RangeOf(space, 0, blocks),
+                  Kernel{inputs, candidates.nodes, candidates.offset, candidates.face, candidates.with_history,
+                         table.checked, table.is_still, table.near_moved, table.by_node, num_checked, is_listed, skips},
+                  table.num_new, num_skipped);
   table.num_kept_pairs += num_skipped;
 }
 
 }  // namespace
 
-template <class Space>
-void find_touches(const Space& space, const CheckInputs& inputs, const CandidateList& candidates, StillFaces& still,
+void find_touches(const WorkSpace& space, const CheckInputs& inputs, const CandidateList& candidates, StillFaces& still,
                   TouchTable& table) {
   const ContactSurface& surface = inputs.surface;
   if (static_cast<int>(table.by_node.extent(0)) < surface.num_nodes) still.forget();
@@ -420,20 +412,13 @@ void find_touches(const Space& space, const CheckInputs& inputs, const Candidate
   const Array<const int> nodes = candidates.nodes;
   const Array<NodeTouches> by_node = table.by_node;
   const Array<int> place_of_first = table.first;
-  Kokkos::parallel_scan(
-      "contact::first_touch", RangeOf<Space>(space, 0, candidates.num_nodes),
+  parallel_scan(
+      "contact::first_touch", RangeOf(space, 0, candidates.num_nodes),
       KOKKOS_LAMBDA(int i, int& place, bool final_pass) {
         if (final_pass) place_of_first(i) = place;
         place += by_node(nodes(i)).count;
       },
       table.count);
 }
-
-#define PERCUSS_INSTANTIATE(Space)                                                                            \
-  template void update_faces(const Space&, const ContactSurface&, const SurfaceMotion&, const CandidateList&, \
-                             const StillFaces&, const FaceState&);                                            \
-  template void find_touches(const Space&, const CheckInputs&, const CandidateList&, StillFaces&, TouchTable&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

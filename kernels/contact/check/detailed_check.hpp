@@ -26,14 +26,12 @@ struct TouchTable {
 };
 
 /// Normals at the predicted place and sizes at n of the faces that the check reads; those of still faces stand.
-template <class Space>
-void update_faces(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
+void update_faces(const WorkSpace& space, const ContactSurface& surface, const SurfaceMotion& motion,
                   const CandidateList& candidates, const StillFaces& still, const FaceState& faces);
 
 /// Checks every candidate pair but those of nodes that lie still, with all around them. still: as update_faces() has
 /// left it.
-template <class Space>
-void find_touches(const Space& space, const CheckInputs& inputs, const CandidateList& candidates, StillFaces& still,
+void find_touches(const WorkSpace& space, const CheckInputs& inputs, const CandidateList& candidates, StillFaces& still,
                   TouchTable& table);
 
 }  // namespace percuss

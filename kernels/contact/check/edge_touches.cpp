@@ -42,8 +42,7 @@ KOKKOS_INLINE_FUNCTION int find_edge_record(const EdgeHistory& records, const Ar
 }
 
 /// Finds where the records of the edges in pairs begin: for each edge once, since most pairs have none.
-template <class Space>
-void find_first_records(const Space& space, const EdgeCheckInputs& inputs, const EdgePairs& pairs,
+void find_first_records(const WorkSpace& space, const EdgeCheckInputs& inputs, const EdgePairs& pairs,
                         EdgeTouchTable& table) {
   if (inputs.history.count == 0) return;
   reserve(table.first_record, inputs.surface.num_edges);
@@ -51,16 +50,15 @@ void find_first_records(const Space& space, const EdgeCheckInputs& inputs, const
   const EdgeHistory past = inputs.history;
   const Array<const int> list = pairs.edges;
   const Array<int> first = table.first_record;
-  Kokkos::parallel_for(
-      "contact::first_edge_records", RangeOf<Space>(space, 0, pairs.num_edges),
+  parallel_for(
+      "contact::first_edge_records", RangeOf(space, 0, pairs.num_edges),
       KOKKOS_LAMBDA(int i) { first(list(i)) = find_first_record(past, numbers(list(i))); });
 }
 
 }  // namespace
 
-template <class Space>
-void update_edges(const Space& space, const EdgeSurface& surface, const SurfaceMotion& motion, const EdgePairs& pairs,
-                  StillEdges& still, const EdgeState& state) {
+void update_edges(const WorkSpace& space, const EdgeSurface& surface, const SurfaceMotion& motion,
+                  const EdgePairs& pairs, StillEdges& still, const EdgeState& state) {
   const EdgeSurface s = surface;
   const SurfaceMotion m = motion;
   const EdgeState out = state;
@@ -68,8 +66,8 @@ void update_edges(const Space& space, const EdgeSurface& surface, const SurfaceM
   const bool is_watched = still.is_watched(), has_faces = state.faces.extent(0) > 0;
   const Array<const int> list = pairs.edges;
   int num_still = 0;
-  Kokkos::parallel_reduce(
-      "contact::update_edges", RangeOf<Space>(space, 0, pairs.num_edges),
+  parallel_reduce(
+      "contact::update_edges", RangeOf(space, 0, pairs.num_edges),
       KOKKOS_LAMBDA(int i, int& count) {
         const int e = list(i);
         if (is_watched && resting.look(m, e, 6, [&](int k) { return find_edge_node(s, e, k); })) {
@@ -85,8 +83,7 @@ void update_edges(const Space& space, const EdgeSurface& surface, const SurfaceM
   if (is_watched) still.count_still(num_still, pairs.num_edges);
 }
 
-template <class Space>
-void find_edge_touches(const Space& space, const EdgeCheckInputs& inputs, const EdgePairs& pairs,
+void find_edge_touches(const WorkSpace& space, const EdgeCheckInputs& inputs, const EdgePairs& pairs,
                        const StillEdges& still, EdgeTouchTable& table) {
   const StillEdges resting = still;
   const bool is_watched = still.is_watched() && table.list_of_pairs == pairs.list;
@@ -103,8 +100,8 @@ void find_edge_touches(const Space& space, const EdgeCheckInputs& inputs, const 
   const Array<const int> a = pairs.a, b = pairs.b;
   const Array<EdgeTouch> out = table.by_pair;
   const Array<int> touches = table.touches;
-  Kokkos::parallel_reduce(
-      "contact::check_edges", RangeOf<Space>(space, 0, pairs.num_pairs),
+  parallel_reduce(
+      "contact::check_edges", RangeOf(space, 0, pairs.num_pairs),
       KOKKOS_LAMBDA(int i, int& found) {
         const bool is_still = is_watched && !resting.has_moved(a(i)) && !resting.has_moved(b(i));
         if (!do_boxes_meet(edges.boxes, a(i), b(i))) {
@@ -126,12 +123,11 @@ void find_edge_touches(const Space& space, const EdgeCheckInputs& inputs, const 
         out(i) = touch;
       },
       table.num_new);
-  table.count = list_where<Space>(
+  table.count = list_where(
       space, pairs.num_pairs, [touches] KOKKOS_FUNCTION(int i) { return (touches(i) & touching) != 0; }, table.list);
 }
 
-template <class Space>
-void find_edge_depths(const Space& space, const EdgeSurface& surface, const SurfaceMotion& motion,
+void find_edge_depths(const WorkSpace& space, const EdgeSurface& surface, const SurfaceMotion& motion,
                       const EdgePairs& pairs, EdgeTouchTable& table) {
   reserve(table.by_pair, pairs.num_pairs);
   reserve(table.touches, pairs.num_pairs);
@@ -141,8 +137,8 @@ void find_edge_depths(const Space& space, const EdgeSurface& surface, const Surf
   const Array<const int> a = pairs.a, b = pairs.b;
   const Array<EdgeTouch> out = table.by_pair;
   const Array<int> touches = table.touches;
-  Kokkos::parallel_for(
-      "contact::edge_depths", RangeOf<Space>(space, 0, pairs.num_pairs), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::edge_depths", RangeOf(space, 0, pairs.num_pairs), KOKKOS_LAMBDA(int i) {
         EdgeTouch touch;
         double depth = find_edge_depth(s, m, a(i), b(i), touch);
         if (!(depth > 0)) depth = find_beam_depth(s, m, a(i), b(i), touch);
@@ -150,18 +146,8 @@ void find_edge_depths(const Space& space, const EdgeSurface& surface, const Surf
         touches(i) = depth > 0 ? touching : 0;
         out(i) = touch;
       });
-  table.count = list_where<Space>(
+  table.count = list_where(
       space, pairs.num_pairs, [touches] KOKKOS_FUNCTION(int i) { return touches(i) != 0; }, table.list);
 }
-
-#define PERCUSS_INSTANTIATE(Space)                                                                                  \
-  template void update_edges(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&, StillEdges&, \
-                             const EdgeState&);                                                                     \
-  template void find_edge_touches(const Space&, const EdgeCheckInputs&, const EdgePairs&, const StillEdges&,        \
-                                  EdgeTouchTable&);                                                                 \
-  template void find_edge_depths(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&,          \
-                                 EdgeTouchTable&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -15,9 +15,8 @@ struct EdgeState {
 };
 
 /// Finds the state of the edges in pairs; that of still edges stands. Counts the still ones.
-template <class Space>
-void update_edges(const Space& space, const EdgeSurface& surface, const SurfaceMotion& motion, const EdgePairs& pairs,
-                  StillEdges& still, const EdgeState& state);
+void update_edges(const WorkSpace& space, const EdgeSurface& surface, const SurfaceMotion& motion,
+                  const EdgePairs& pairs, StillEdges& still, const EdgeState& state);
 
 /// Accepted touches, in the order of the pairs.
 struct EdgeTouchTable {
@@ -39,13 +38,11 @@ struct EdgeCheckInputs {
 };
 
 /// Checks every pair but those that lie still and remember nothing. still: as update_edges() has left it.
-template <class Space>
-void find_edge_touches(const Space& space, const EdgeCheckInputs& inputs, const EdgePairs& pairs,
+void find_edge_touches(const WorkSpace& space, const EdgeCheckInputs& inputs, const EdgePairs& pairs,
                        const StillEdges& still, EdgeTouchTable& table);
 
 /// Depth of every pair at the places of a motion with dt = 0, as gap_start of the table's touches.
-template <class Space>
-void find_edge_depths(const Space& space, const EdgeSurface& surface, const SurfaceMotion& motion,
+void find_edge_depths(const WorkSpace& space, const EdgeSurface& surface, const SurfaceMotion& motion,
                       const EdgePairs& pairs, EdgeTouchTable& table);
 
 }  // namespace percuss

@@ -16,8 +16,7 @@ struct NearEdgeScratch {
 /// Fills `near` with the pairs of `all` that the check could accept before some node has gone farther than the travel
 /// from its place at n, in the same order. Returns whether there are at most `most_pairs`; otherwise they are not
 /// listed. Of the inputs surface and motion are read.
-template <class Space>
-bool list_near_edges(const Space& space, const EdgeCheckInputs& inputs, const EdgePairs& all, const NearLimits& limits,
-                     NearEdgeScratch& scratch, EdgePairs& near);
+bool list_near_edges(const WorkSpace& space, const EdgeCheckInputs& inputs, const EdgePairs& all,
+                     const NearLimits& limits, NearEdgeScratch& scratch, EdgePairs& near);
 
 }  // namespace percuss

@@ -122,8 +122,7 @@ PERCUSS_NO_INLINE double find_gap(const MovingSurface& moving, int node, int fac
 
 }  // namespace
 
-template <class Space>
-void find_penetrations(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
+void find_penetrations(const WorkSpace& space, const ContactSurface& surface, const SurfaceMotion& motion,
                        const CandidateList& candidates, const FaceState& faces, PenetrationTable& table) {
   reserve(table.depth, surface.num_nodes);
   reserve(table.ratio, surface.num_nodes);
@@ -133,8 +132,8 @@ void find_penetrations(const Space& space, const ContactSurface& surface, const 
   const Array<int> face = table.face;
   const MovingSurface moving{surface, motion, faces};
   const Array<const int> offset = candidates.offset, list = candidates.face;
-  Kokkos::parallel_for(
-      "contact::penetrations", RangeOf<Space>(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int node) {
+  parallel_for(
+      "contact::penetrations", RangeOf(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int node) {
         depth(node) = 0;
         ratio(node) = 0;
         limit(node) = 0;
@@ -151,26 +150,17 @@ void find_penetrations(const Space& space, const ContactSurface& surface, const 
       });
 }
 
-template <class Space>
-void find_gaps(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
+void find_gaps(const WorkSpace& space, const ContactSurface& surface, const SurfaceMotion& motion,
                const CandidateList& candidates, const FaceState& faces, Array<double>& gaps) {
   reserve(gaps, candidates.num_pairs);
   const Array<double> out = gaps;
   const MovingSurface moving{surface, motion, faces};
   const Array<const int> nodes = candidates.nodes, offset = candidates.offset, face = candidates.face;
-  Kokkos::parallel_for(
-      "contact::gaps", RangeOf<Space>(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::gaps", RangeOf(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
         for (int c = offset(nodes(i)); c < offset(nodes(i) + 1); ++c) out(c) = find_gap(moving, nodes(i), face(c));
       });
   space.fence();
 }
-
-#define PERCUSS_INSTANTIATE(Space)                                                                                 \
-  template void find_penetrations(const Space&, const ContactSurface&, const SurfaceMotion&, const CandidateList&, \
-                                  const FaceState&, PenetrationTable&);                                            \
-  template void find_gaps(const Space&, const ContactSurface&, const SurfaceMotion&, const CandidateList&,         \
-                          const FaceState&, Array<double>&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

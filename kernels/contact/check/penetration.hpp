@@ -19,14 +19,12 @@ struct PenetrationTable {
 };
 
 /// Fills the table for the candidate pairs. motion: with dt = 0, at the places to be looked at.
-template <class Space>
-void find_penetrations(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
+void find_penetrations(const WorkSpace& space, const ContactSurface& surface, const SurfaceMotion& motion,
                        const CandidateList& candidates, const FaceState& faces, PenetrationTable& table);
 
 /// Distance of the node from the face for each candidate pair [pairs]; 0 where they touch, negative where the node is
 /// behind the face or of the same body. motion: with dt = 0, at the places to be looked at; faces: of update_faces().
-template <class Space>
-void find_gaps(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
+void find_gaps(const WorkSpace& space, const ContactSurface& surface, const SurfaceMotion& motion,
                const CandidateList& candidates, const FaceState& faces, Array<double>& gaps);
 
 }  // namespace percuss

@@ -145,15 +145,14 @@ struct Sweeper {
     fill_blocks(of, blocks, weight);
   }
 
-  template <class Space>
-  void correct_colour(const Space& space, int colour, const Array<double>& z) const {
+  void correct_colour(const WorkSpace& space, int colour, const Array<double>& z) const {
     const ConeProblem p = problem;
     const Array<const ConeBlock> b = blocks;
     const Array<const RowTwins> twins = colours.blocks;
     const double s = slack;
     const auto c = static_cast<std::size_t>(colour);
-    Kokkos::parallel_for(
-        "contact::cone_sweep", RangeOf<Space>(space, colours.first[c], colours.first[c + 1]),
+    parallel_for(
+        "contact::cone_sweep", RangeOf(space, colours.first[c], colours.first[c + 1]),
         KOKKOS_LAMBDA(int i) { correct_twins(p, b, twins(i), s, z); });
   }
 

@@ -231,12 +231,11 @@ CoupledReport solve_in_key_order(const std::vector<CoupledRow>& rows, double dt,
   return report;
 }
 
-template <class Space>
-void set_impulses(const Space& space, const std::vector<RowImpulse>& impulses, const RowSystem& system) {
+void set_impulses(const WorkSpace& space, const std::vector<RowImpulse>& impulses, const RowSystem& system) {
   const Array<ContactRow> rows = system.rows;
   const Array<const RowImpulse> values = to_view("contact::impulses", impulses);
-  Kokkos::parallel_for(
-      "contact::set_impulses", RangeOf<Space>(space, 0, system.num_rows),
+  parallel_for(
+      "contact::set_impulses", RangeOf(space, 0, system.num_rows),
       KOKKOS_LAMBDA(int r) { set_impulse(rows(r), values(r)); });
   space.fence();
 }
@@ -315,10 +314,5 @@ CoupledReport solve_coupled_rows(const std::vector<CoupledRow>& rows, double dt,
   report.complementarity = solved.residual / unknowns.closing;
   return report;
 }
-
-#define PERCUSS_INSTANTIATE(Space) \
-  template void set_impulses(const Space&, const std::vector<RowImpulse>&, const RowSystem&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

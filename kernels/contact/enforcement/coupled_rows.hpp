@@ -39,7 +39,6 @@ CoupledReport solve_in_key_order(const std::vector<CoupledRow>& rows, double dt,
 std::vector<CoupledRow> list_coupled_rows(const RowSystem& system, const Array<const std::int64_t>& node_numbers);
 
 /// Gives the rows of a rank their impulses.
-template <class Space>
-void set_impulses(const Space& space, const std::vector<RowImpulse>& impulses, const RowSystem& system);
+void set_impulses(const WorkSpace& space, const std::vector<RowImpulse>& impulses, const RowSystem& system);
 
 }  // namespace percuss

@@ -2,8 +2,7 @@
 
 namespace percuss {
 
-template <class Space>
-PredictedGaps find_predicted_gaps(const Space& space, const RowSystem& system, RowSumMemory& memory) {
+PredictedGaps find_predicted_gaps(const WorkSpace& space, const RowSystem& system, RowSumMemory& memory) {
   const Array<const ContactRow> rows = system.rows;
   return sum_rows<PredictedGaps>(space, system.num_rows, memory.gaps, [rows] KOKKOS_FUNCTION(int r, PredictedGaps& s) {
     const ContactRow& row = rows(r);
@@ -19,23 +18,16 @@ PredictedGaps find_predicted_gaps(const Space& space, const RowSystem& system, R
   });
 }
 
-template <class Space>
-void find_corrections(const Space& space, const RowSystem& system) {
+void find_corrections(const WorkSpace& space, const RowSystem& system) {
   place_remote_shares(space, system);
   const ShareSums sums(system);
   const Rows3<double> correction = system.correction;
   const Rows3<const double> inverse_mass = system.at.inverse_mass;
-  Kokkos::parallel_for(
-      "contact::find_corrections", RangeOf<Space>(space, 0, system.num_places()), KOKKOS_LAMBDA(int a) {
+  parallel_for(
+      "contact::find_corrections", RangeOf(space, 0, system.num_places()), KOKKOS_LAMBDA(int a) {
         const Point3 impulse = sums(a), w = load_row(inverse_mass, a);
         store_row(correction, a, {w.x * impulse.x, w.y * impulse.y, w.z * impulse.z});
       });
 }
-
-#define PERCUSS_INSTANTIATE(Space)                                                           \
-  template PredictedGaps find_predicted_gaps(const Space&, const RowSystem&, RowSumMemory&); \
-  template void find_corrections(const Space&, const RowSystem&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -14,52 +14,42 @@
 
 namespace percuss {
 
-template <class Space>
-PredictedGaps find_predicted_gaps(const Space& space, const RowSystem& system, RowSumMemory& memory);
+PredictedGaps find_predicted_gaps(const WorkSpace& space, const RowSystem& system, RowSumMemory& memory);
 
 /// dv of all places from the shares of their entries, once: RowSystem::correction.
-template <class Space>
-void find_corrections(const Space& space, const RowSystem& system);
+void find_corrections(const WorkSpace& space, const RowSystem& system);
 
 /// Adds the correction to v and fills impulse at the owned nodes. v, impulse: [mesh nodes][3].
-template <class Space>
-void apply_impulses(const Space& space, const RowSystem& system, const Rows3<double>& v, const Rows3<double>& impulse);
+void apply_impulses(const WorkSpace& space, const RowSystem& system, const Rows3<double>& v,
+                    const Rows3<double>& impulse);
 
 /// Adds what rows that tie rotations give to the spins of the owned nodes, and fills in their moments.
-template <class Space>
-void apply_moments(const Space& space, const RowSystem& system, const SpinInputs& spins);
+void apply_moments(const WorkSpace& space, const RowSystem& system, const SpinInputs& spins);
 
 /// Sums up what the impulses did.
-template <class Space>
-EnforcementSums sum_outcome(const Space& space, double dt, const RowSystem& system, RowSumMemory& memory);
+EnforcementSums sum_outcome(const WorkSpace& space, double dt, const RowSystem& system, RowSumMemory& memory);
 
 /// Work of this rank's rows of one pair.
-template <class Space>
-PairWork sum_pair_work(const Space& space, int pair, const RowSystem& system, RowSumMemory& memory);
+PairWork sum_pair_work(const WorkSpace& space, int pair, const RowSystem& system, RowSumMemory& memory);
 
 /// Sums up the rows from first_row on that are walls'. x: [mesh nodes] at n; center: what moments are taken about.
-template <class Space>
-WallSums sum_wall_impulses(const Space& space, int first_row, const Rows3<const double>& x, const Point3& center,
+WallSums sum_wall_impulses(const WorkSpace& space, int first_row, const Rows3<const double>& x, const Point3& center,
                            const RowSystem& system, RowSumMemory& memory);
 
 /// Pushes of the rows of one wall, from first_row on. direction: in which it moves; zero: along its normal.
-template <class Space>
-WallPush sum_wall_push(const Space& space, int first_row, int wall, const Point3& direction, const RowSystem& system,
-                       RowSumMemory& memory);
+WallPush sum_wall_push(const WorkSpace& space, int first_row, int wall, const Point3& direction,
+                       const RowSystem& system, RowSumMemory& memory);
 
 /// Of the nodes that a wall would meet in the step at its speed, if only it pushed them: the sum of their masses, and
 /// of these times the speed at which each would just touch it. looks_inside: as RowInputs has it.
-template <class Space>
-WallMeeting sum_wall_meeting(const Space& space, int wall, const WallPairs& walls, const RowInputs& inputs,
+WallMeeting sum_wall_meeting(const WorkSpace& space, int wall, const WallPairs& walls, const RowInputs& inputs,
                              RowSumMemory& memory);
 
 /// Writes the history for the next step: rows that push, that hold an overlap accepted at the start, or that are
 /// caught; and ties. All else is forgotten.
-template <class Space>
-void write_history(const Space& space, double dt, RowSystem& system, ContactHistory& history);
+void write_history(const WorkSpace& space, double dt, RowSystem& system, ContactHistory& history);
 
 /// Zeroes the impulse of the first num_nodes of a list of nodes.
-template <class Space>
-void clear_impulses(const Space& space, const Array<const int>& nodes, int num_nodes, const Rows3<double>& impulse);
+void clear_impulses(const WorkSpace& space, const Array<const int>& nodes, int num_nodes, const Rows3<double>& impulse);
 
 }  // namespace percuss

@@ -149,39 +149,36 @@ KOKKOS_INLINE_FUNCTION bool is_zero(const Point3& p) { return p.x == 0 && p.y ==
 
 }  // namespace
 
-template <class Space>
-void mark_pushes(const Space& space, const RowSystem& system, Array<RowSides>& marks) {
+void mark_pushes(const WorkSpace& space, const RowSystem& system, Array<RowSides>& marks) {
   reserve(marks, system.num_rows);
   const Array<RowSides> out = marks;
-  Kokkos::parallel_for(
-      "contact::mark_pushes", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+  parallel_for(
+      "contact::mark_pushes", RangeOf(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         out(r) = {1, 1};
       });
 }
 
-template <class Space>
-void list_sent_pushes(const Space& space, const RowSystem& system, const Array<const RowSides>& marks,
+void list_sent_pushes(const WorkSpace& space, const RowSystem& system, const Array<const RowSides>& marks,
                       Array<NormalPush>& sent) {
   reserve(sent, system.num_sent);
   const Array<const ContactRow> rows = system.rows;
   const Array<const int> entry = system.sent;
   const Array<NormalPush> out = sent;
-  Kokkos::parallel_for(
-      "contact::sent_pushes", RangeOf<Space>(space, 0, system.num_sent), KOKKOS_LAMBDA(int k) {
+  parallel_for(
+      "contact::sent_pushes", RangeOf(space, 0, system.num_sent), KOKKOS_LAMBDA(int k) {
         out(k) = find_push(rows(entry(k) / row_nodes), marks(entry(k) / row_nodes), entry(k) % row_nodes);
       });
 }
 
-template <class Space>
-void book_pushes(const Space& space, const MarkedRows& rows, const ForceSides& sides,
+void book_pushes(const WorkSpace& space, const MarkedRows& rows, const ForceSides& sides,
                  const Array<const std::int64_t>& node_numbers, double time, const PushBooks& books) {
   const RowSystem& system = rows.system;
   const PlacePushes pushes(rows);
   const RowNodeChunks chunks{system.nodes, system.foreign_number, node_numbers, sides.first_node, system.num_nodes};
   const ForceSides given = sides;
   const PushBooks into = books;
-  Kokkos::parallel_for(
-      "contact::book_pushes", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
+  parallel_for(
+      "contact::book_pushes", RangeOf(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
         const std::uint32_t forces = pushes.find_forces(a);
         if (forces == 0) return;
         const int chunk = chunks.find_chunk(a);
@@ -199,9 +196,8 @@ void book_pushes(const Space& space, const MarkedRows& rows, const ForceSides& s
       });
 }
 
-template <class Space>
-AreaSums sum_areas(const Space& space, int f, const AreaNodes& nodes, const ForceSides& sides, const PushBooks& books,
-                   Array<AreaSums>& partial) {
+AreaSums sum_areas(const WorkSpace& space, int f, const AreaNodes& nodes, const ForceSides& sides,
+                   const PushBooks& books, Array<AreaSums>& partial) {
   constexpr int at_once = 64;  // nodes: of one or two chunks, which are looked up once
   const AreaNodes given = nodes;
   const ForceSides of = sides;
@@ -221,18 +217,16 @@ AreaSums sum_areas(const Space& space, int f, const AreaNodes& nodes, const Forc
                             });
 }
 
-template <class Space>
-void sum_pushes(const Space& space, const MarkedRows& rows, const Rows3<double>& sums) {
+void sum_pushes(const WorkSpace& space, const MarkedRows& rows, const Rows3<double>& sums) {
   const PlacePushes pushes(rows);
   const Array<const int> nodes = rows.system.nodes;
   const Rows3<double> out = sums;
-  Kokkos::parallel_for(
-      "contact::sum_pushes", RangeOf<Space>(space, 0, rows.system.num_nodes),
+  parallel_for(
+      "contact::sum_pushes", RangeOf(space, 0, rows.system.num_nodes),
       KOKKOS_LAMBDA(int a) { store_row(out, nodes(a), pushes.sum(a, 1)); });
 }
 
-template <class Space>
-void mark_rows(const Space& space, const GivenSides& sides, const Array<const std::int64_t>& node_numbers,
+void mark_rows(const WorkSpace& space, const GivenSides& sides, const Array<const std::int64_t>& node_numbers,
                const RowSystem& system, Array<RowSides>& marks) {
   reserve(marks, system.num_rows);
   const Array<const ContactRow> rows = system.rows;
@@ -241,16 +235,15 @@ void mark_rows(const Space& space, const GivenSides& sides, const Array<const st
   const Array<const RowSurfaces> surfaces = sides.rows;
   const bool has_surfaces = surfaces.extent(0) > 0;
   const RowNodeChunks chunks{system.nodes, system.foreign_number, node_numbers, given.first_node, system.num_nodes};
-  Kokkos::parallel_for(
-      "contact::mark_rows", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+  parallel_for(
+      "contact::mark_rows", RangeOf(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         const ContactRow& row = rows(r);
         const bool acts = row.force.x != 0 || row.force.y != 0 || row.force.z != 0;
         out(r) = acts ? find_sides(row, given, has_surfaces ? surfaces(r) : RowSurfaces{}, chunks) : RowSides{};
       });
 }
 
-template <class Space>
-ForceSums sum_contact_force(const Space& space, int f, const Point3& about, const RowSystem& system,
+ForceSums sum_contact_force(const WorkSpace& space, int f, const Point3& about, const RowSystem& system,
                             const Array<const RowSides>& marks, Array<ForceSums>& partial) {
   const Array<const ContactRow> rows = system.rows;
   const Rows3<const double> x = system.at.x;
@@ -262,20 +255,5 @@ ForceSums sum_contact_force(const Space& space, int f, const Point3& about, cons
                                add_row(rows(r), mark, bit, about, x, sums);
                              });
 }
-
-#define PERCUSS_INSTANTIATE(Space)                                                                                  \
-  template void mark_rows(const Space&, const GivenSides&, const Array<const std::int64_t>&, const RowSystem&,      \
-                          Array<RowSides>&);                                                                        \
-  template ForceSums sum_contact_force(const Space&, int, const Point3&, const RowSystem&,                          \
-                                       const Array<const RowSides>&, Array<ForceSums>&);                            \
-  template void mark_pushes(const Space&, const RowSystem&, Array<RowSides>&);                                      \
-  template void list_sent_pushes(const Space&, const RowSystem&, const Array<const RowSides>&, Array<NormalPush>&); \
-  template void book_pushes(const Space&, const MarkedRows&, const ForceSides&, const Array<const std::int64_t>&,   \
-                            double, const PushBooks&);                                                              \
-  template AreaSums sum_areas(const Space&, int, const AreaNodes&, const ForceSides&, const PushBooks&,             \
-                              Array<AreaSums>&);                                                                    \
-  template void sum_pushes(const Space&, const MarkedRows&, const Rows3<double>&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

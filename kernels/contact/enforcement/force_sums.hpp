@@ -54,13 +54,11 @@ struct GivenSides {
 };
 
 /// marks: out, [rows]. node_numbers: [mesh nodes].
-template <class Space>
-void mark_rows(const Space& space, const GivenSides& sides, const Array<const std::int64_t>& node_numbers,
+void mark_rows(const WorkSpace& space, const GivenSides& sides, const Array<const std::int64_t>& node_numbers,
                const RowSystem& system, Array<RowSides>& marks);
 
 /// Force f of this rank's rows, after they are solved; moments about `about`, with the places at n.
-template <class Space>
-ForceSums sum_contact_force(const Space& space, int f, const Point3& about, const RowSystem& system,
+ForceSums sum_contact_force(const WorkSpace& space, int f, const Point3& about, const RowSystem& system,
                             const Array<const RowSides>& marks, Array<ForceSums>& partial);
 
 /// Push of a row along its normal on one of its nodes, and the forces that it counts for: bit f.
@@ -92,17 +90,14 @@ struct MarkedRows {
 };
 
 /// Marks the rows that push for force 0, on both sides.
-template <class Space>
-void mark_pushes(const Space& space, const RowSystem& system, Array<RowSides>& marks);
+void mark_pushes(const WorkSpace& space, const RowSystem& system, Array<RowSides>& marks);
 
 /// Pushes of the entries that other ranks want: [RowSystem::num_sent].
-template <class Space>
-void list_sent_pushes(const Space& space, const RowSystem& system, const Array<const RowSides>& marks,
+void list_sent_pushes(const WorkSpace& space, const RowSystem& system, const Array<const RowSides>& marks,
                       Array<NormalPush>& sent);
 
 /// Adds a step to the books. time: its length. node_numbers: [mesh nodes].
-template <class Space>
-void book_pushes(const Space& space, const MarkedRows& rows, const ForceSides& sides,
+void book_pushes(const WorkSpace& space, const MarkedRows& rows, const ForceSides& sides,
                  const Array<const std::int64_t>& node_numbers, double time, const PushBooks& books);
 
 /// Contact nodes that this rank owns, with their areas at some positions.
@@ -122,12 +117,10 @@ struct AreaSums {
   }
 };
 
-template <class Space>
-AreaSums sum_areas(const Space& space, int f, const AreaNodes& nodes, const ForceSides& sides, const PushBooks& books,
-                   Array<AreaSums>& partial);
+AreaSums sum_areas(const WorkSpace& space, int f, const AreaNodes& nodes, const ForceSides& sides,
+                   const PushBooks& books, Array<AreaSums>& partial);
 
 /// The pushes that count for force 0 on each owned node that rows touch; others stay. sums: in and out, [mesh nodes].
-template <class Space>
-void sum_pushes(const Space& space, const MarkedRows& rows, const Rows3<double>& sums);
+void sum_pushes(const WorkSpace& space, const MarkedRows& rows, const Rows3<double>& sums);
 
 }  // namespace percuss

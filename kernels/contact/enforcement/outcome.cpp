@@ -187,27 +187,26 @@ void reserve_edge_history(EdgeHistory& history, int records) {
 
 }  // namespace
 
-template <class Space>
-void apply_impulses(const Space& space, const RowSystem& system, const Rows3<double>& v, const Rows3<double>& impulse) {
+void apply_impulses(const WorkSpace& space, const RowSystem& system, const Rows3<double>& v,
+                    const Rows3<double>& impulse) {
   const ShareSums sums(system);
   const Array<const int> nodes = system.nodes;
   const Rows3<const double> dv = system.correction;
   const Rows3<double> out_v = v, out_impulse = impulse;
-  Kokkos::parallel_for(
-      "contact::apply_impulses", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
+  parallel_for(
+      "contact::apply_impulses", RangeOf(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
         store_row(out_v, nodes(a), load_row(out_v, nodes(a)) + load_row(dv, a));
         store_row(out_impulse, nodes(a), sums(a));
       });
 }
 
-template <class Space>
-void apply_moments(const Space& space, const RowSystem& system, const SpinInputs& spins) {
+void apply_moments(const WorkSpace& space, const RowSystem& system, const SpinInputs& spins) {
   const Array<const ContactRow> rows = system.rows;
   const Array<const TurningRow> turning = system.turning;
   const Array<const int> nodes = system.nodes;
   const Rows3<double> out = spins.spin, moment = spins.moment;
-  Kokkos::parallel_for(
-      "contact::apply_moments", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+  parallel_for(
+      "contact::apply_moments", RangeOf(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         const ContactRow& row = rows(r);
         if (!ties_rotation(row)) return;
         const int node = nodes(row.place[0]);
@@ -216,8 +215,7 @@ void apply_moments(const Space& space, const RowSystem& system, const SpinInputs
       });
 }
 
-template <class Space>
-EnforcementSums sum_outcome(const Space& space, double dt, const RowSystem& system, RowSumMemory& memory) {
+EnforcementSums sum_outcome(const WorkSpace& space, double dt, const RowSystem& system, RowSumMemory& memory) {
   const Array<const ContactRow> rows = system.rows;
   const Array<const TurningRow> turning = system.turning;
   const RowNodes at = system.at;
@@ -228,8 +226,7 @@ EnforcementSums sum_outcome(const Space& space, double dt, const RowSystem& syst
                                    });
 }
 
-template <class Space>
-PairWork sum_pair_work(const Space& space, int pair, const RowSystem& system, RowSumMemory& memory) {
+PairWork sum_pair_work(const WorkSpace& space, int pair, const RowSystem& system, RowSumMemory& memory) {
   const Array<const ContactRow> rows = system.rows;
   const Array<const TurningRow> turning = system.turning;
   const RowNodes at = system.at;
@@ -243,8 +240,7 @@ PairWork sum_pair_work(const Space& space, int pair, const RowSystem& system, Ro
                             });
 }
 
-template <class Space>
-WallSums sum_wall_impulses(const Space& space, int first_row, const Rows3<const double>& x, const Point3& center,
+WallSums sum_wall_impulses(const WorkSpace& space, int first_row, const Rows3<const double>& x, const Point3& center,
                            const RowSystem& system, RowSumMemory& memory) {
   const Array<const ContactRow> rows = system.rows;
   const Array<const int> nodes = system.nodes;
@@ -264,9 +260,8 @@ WallSums sum_wall_impulses(const Space& space, int first_row, const Rows3<const 
                             });
 }
 
-template <class Space>
-WallPush sum_wall_push(const Space& space, int first_row, int wall, const Point3& direction, const RowSystem& system,
-                       RowSumMemory& memory) {
+WallPush sum_wall_push(const WorkSpace& space, int first_row, int wall, const Point3& direction,
+                       const RowSystem& system, RowSumMemory& memory) {
   const Array<const ContactRow> rows = system.rows;
   const bool is_along_normal = dot(direction, direction) == 0;
   return sum_rows<WallPush>(space, system.num_rows - first_row, memory.push,
@@ -281,8 +276,7 @@ WallPush sum_wall_push(const Space& space, int first_row, int wall, const Point3
                             });
 }
 
-template <class Space>
-WallMeeting sum_wall_meeting(const Space& space, int wall, const WallPairs& walls, const RowInputs& inputs,
+WallMeeting sum_wall_meeting(const WorkSpace& space, int wall, const WallPairs& walls, const RowInputs& inputs,
                              RowSumMemory& memory) {
   const WallPairs w = walls;
   const RowInputs in = inputs;
@@ -301,48 +295,33 @@ WallMeeting sum_wall_meeting(const Space& space, int wall, const WallPairs& wall
       });
 }
 
-template <class Space>
-void write_history(const Space& space, double dt, RowSystem& system, ContactHistory& history) {
+void write_history(const WorkSpace& space, double dt, RowSystem& system, ContactHistory& history) {
   reserve_edge_history(history.edges, system.num_edge_rows);
   const ContactHistory h = history;
   const bool is_known = system.num_written >= 0;
   const int records = is_known ? system.num_written : static_cast<int>(h.reference.extent(0));
   const Array<const int> old = system.written;
-  Kokkos::parallel_for(
-      "contact::clear_history", RangeOf<Space>(space, 0, records),
+  parallel_for(
+      "contact::clear_history", RangeOf(space, 0, records),
       KOKKOS_LAMBDA(int i) { clear_record(is_known ? old(i) : i, h); });
   reserve(system.written, system.num_rows);
   system.num_written = system.num_rows;
   const Array<int> written = system.written;
   const Array<const ContactRow> rows = system.rows;
   const Rows3<const double> dv = system.correction;
-  Kokkos::parallel_for(
-      "contact::write_history", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+  parallel_for(
+      "contact::write_history", RangeOf(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         write_record(rows(r), dv, dt, h);
         written(r) = rows(r).kind == RowKind::face || rows(r).kind == RowKind::wall ? rows(r).record : -1;
       });
 }
 
-template <class Space>
-void clear_impulses(const Space& space, const Array<const int>& nodes, int num_nodes, const Rows3<double>& impulse) {
+void clear_impulses(const WorkSpace& space, const Array<const int>& nodes, int num_nodes,
+                    const Rows3<double>& impulse) {
   const Rows3<double> out = impulse;
-  Kokkos::parallel_for(
-      "contact::clear_impulses", RangeOf<Space>(space, 0, num_nodes),
+  parallel_for(
+      "contact::clear_impulses", RangeOf(space, 0, num_nodes),
       KOKKOS_LAMBDA(int a) { store_row(out, nodes(a), Point3{}); });
 }
-
-#define PERCUSS_INSTANTIATE(Space)                                                                                    \
-  template void apply_impulses(const Space&, const RowSystem&, const Rows3<double>&, const Rows3<double>&);           \
-  template void apply_moments(const Space&, const RowSystem&, const SpinInputs&);                                     \
-  template EnforcementSums sum_outcome(const Space&, double, const RowSystem&, RowSumMemory&);                        \
-  template PairWork sum_pair_work(const Space&, int, const RowSystem&, RowSumMemory&);                                \
-  template WallSums sum_wall_impulses(const Space&, int, const Rows3<const double>&, const Point3&, const RowSystem&, \
-                                      RowSumMemory&);                                                                 \
-  template WallPush sum_wall_push(const Space&, int, int, const Point3&, const RowSystem&, RowSumMemory&);            \
-  template WallMeeting sum_wall_meeting(const Space&, int, const WallPairs&, const RowInputs&, RowSumMemory&);        \
-  template void write_history(const Space&, double, RowSystem&, ContactHistory&);                                     \
-  template void clear_impulses(const Space&, const Array<const int>&, int, const Rows3<double>&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

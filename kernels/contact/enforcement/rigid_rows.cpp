@@ -412,14 +412,13 @@ RigidRowList list_rigid_rows(const RowSystem& system) {
   return list;
 }
 
-template <class Space>
-void set_rigid_impulses(const Space& space, const RigidRowList& list, const std::vector<RigidImpulse>& impulses,
+void set_rigid_impulses(const WorkSpace& space, const RigidRowList& list, const std::vector<RigidImpulse>& impulses,
                         const RowSystem& system) {
   const Array<ContactRow> rows = system.rows;
   const Array<const int> index = to_view("contact::rigid_rows", list.index);
   const Array<const RigidImpulse> values = to_view("contact::rigid_impulses", impulses);
-  Kokkos::parallel_for(
-      "contact::set_rigid_impulses", RangeOf<Space>(space, 0, static_cast<int>(impulses.size())), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::set_rigid_impulses", RangeOf(space, 0, static_cast<int>(impulses.size())), KOKKOS_LAMBDA(int i) {
         if (values(i).is_solved == 0) return;
         ContactRow& row = rows(index(i));
         row.is_solved = true;
@@ -427,11 +426,5 @@ void set_rigid_impulses(const Space& space, const RigidRowList& list, const std:
       });
   space.fence();
 }
-
-#define PERCUSS_INSTANTIATE(Space)                                                                      \
-  template void set_rigid_impulses(const Space&, const RigidRowList&, const std::vector<RigidImpulse>&, \
-                                   const RowSystem&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -62,8 +62,7 @@ RigidReport solve_rigid_rows(const std::vector<RigidRow>& rows, const std::vecto
 RigidRowList list_rigid_rows(const RowSystem& system);
 
 /// Gives solved rows their impulses: ContactRow::is_solved.
-template <class Space>
-void set_rigid_impulses(const Space& space, const RigidRowList& list, const std::vector<RigidImpulse>& impulses,
+void set_rigid_impulses(const WorkSpace& space, const RigidRowList& list, const std::vector<RigidImpulse>& impulses,
                         const RowSystem& system);
 
 }  // namespace percuss

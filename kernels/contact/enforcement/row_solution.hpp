@@ -26,11 +26,9 @@ struct OneRank {
   bool takes_part(const RowSystem& system) const { return system.num_rows > 0; }
   // Fills RowSystem::at and RowBodies::of_place at foreign places; lists the remote and the sent entries.
   void receive_nodes(const RowInputs&, const RowSources&, RowSystem&) {}
-  template <class Space>
-  void swap_shares(const Space&, RowSystem&) {}  // fills RowSystem::remote with shares of other ranks' rows
-  template <class Space>
-  void swap_shares(const Space&, RowSystem&, PassSums&) {}  // the same; reduces the sums meanwhile
-  void sum_bodies(std::vector<ExactSum>&) {}                // adds the sums of all ranks
+  void swap_shares(const WorkSpace&, RowSystem&) {}  // fills RowSystem::remote with shares of other ranks' rows
+  void swap_shares(const WorkSpace&, RowSystem&, PassSums&) {}  // the same; reduces the sums meanwhile
+  void sum_bodies(std::vector<ExactSum>&) {}                    // adds the sums of all ranks
   // Solves the rows of all ranks as one problem; impulses: of this rank's rows.
   CoupledReport solve_together(const std::vector<CoupledRow>& rows, double dt, std::vector<RowImpulse>& impulses) {
     return solve_in_key_order(rows, dt, impulses);
@@ -42,8 +40,8 @@ struct OneRank {
 };
 
 /// S of the nodes of rigid bodies (body_rows.hpp).
-template <class Space, class Others>
-void weigh_bodies(const Space& space, RowSystem& system, Others& others) {
+template <class Others>
+void weigh_bodies(const WorkSpace& space, RowSystem& system, Others& others) {
   if (system.bodies.count() == 0) return;
   std::vector<ExactSum> sums = sum_body_coefficients(space, system);
   others.sum_bodies(sums);
@@ -51,8 +49,8 @@ void weigh_bodies(const Space& space, RowSystem& system, Others& others) {
 }
 
 /// Adds up what the impulses of the iterate do to each body: RowBodies::change.
-template <class Space, class Others>
-void push_bodies(const Space& space, RowSystem& system, Others& others) {
+template <class Others>
+void push_bodies(const WorkSpace& space, RowSystem& system, Others& others) {
   std::vector<ExactSum> sums = sum_body_impulses(space, system);
   others.sum_bodies(sums);
   set_body_changes(sums, system);
@@ -60,9 +58,9 @@ void push_bodies(const Space& space, RowSystem& system, Others& others) {
 
 /// Makes the rows of a step, which are counted, with their first guess; S and D. In: num_foreign, foreign,
 /// foreign_number and remote_node of the system.
-template <class Space, class Others>
-void build_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, const ContactHistory& history,
-                RowSystem& system, Others& others) {
+template <class Others>
+void build_rows(const WorkSpace& space, const RowInputs& inputs, const RowSources& sources,
+                const ContactHistory& history, RowSystem& system, Others& others) {
   start_rows(space, inputs, sources, system);
   space.fence();
   others.receive_nodes(inputs, sources, system);
@@ -159,8 +157,8 @@ struct DivergenceWatch {
 };
 
 /// Iterates the impulses of the rows, but for those of springs, until they have converged.
-template <class Space, class Others>
-SolveReport iterate_rows(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
+template <class Others>
+SolveReport iterate_rows(const WorkSpace& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
                          Others& others) {
   constexpr int max_iterations = 1000;
   SolveReport report{0, 0, false};
@@ -198,8 +196,8 @@ SolveReport iterate_rows(const Space& space, const SolveQuery& query, RowSystem&
 }
 
 /// RowSystem::correction of the impulses of all rows, whose shares have been swapped.
-template <class Space, class Others>
-void follow_impulses(const Space& space, RowSystem& system, Others& others) {
+template <class Others>
+void follow_impulses(const WorkSpace& space, RowSystem& system, Others& others) {
   find_corrections(space, system);
   if (system.bodies.count() > 0) {
     push_bodies(space, system, others);
@@ -209,8 +207,8 @@ void follow_impulses(const Space& space, RowSystem& system, Others& others) {
 }
 
 /// The impulses of all rows but those of springs: first those of islands of rigid bodies, then all others by iteration.
-template <class Space, class Others>
-SolveReport solve_rows(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
+template <class Others>
+SolveReport solve_rows(const WorkSpace& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
                        Others& others) {
   if (system.bodies.count() == 0) return iterate_rows(space, query, system, memory, others);
   space.fence();
@@ -233,8 +231,8 @@ SolveReport solve_rows(const Space& space, const SolveQuery& query, RowSystem& s
 }
 
 /// contact.enforcement: kinematic.
-template <class Space, class Others>
-SolveReport solve_kinematic(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
+template <class Others>
+SolveReport solve_kinematic(const WorkSpace& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
                             Others& others) {
   if (!others.takes_part(system)) return {0, 0, false};
   return solve_rows(space, query, system, memory, others);
@@ -243,8 +241,8 @@ SolveReport solve_kinematic(const Space& space, const SolveQuery& query, RowSyst
 /// The impulses of springs, and of stops where a spring gives way too far (contact.enforcement: penalty, automatic).
 /// Rows that none pushes are solved with the pushes of all springs: those among rigid bodies by islands, all others by
 /// iteration.
-template <class Space, class Others>
-SolveReport solve_springs(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
+template <class Others>
+SolveReport solve_springs(const WorkSpace& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
                           Others& others) {
   constexpr int max_passes = 20;
   constexpr double settled = 1e-9;  // of the smallest h
@@ -275,8 +273,8 @@ SolveReport solve_springs(const Space& space, const SolveQuery& query, RowSystem
 }
 
 /// The exact impulses of all rows together (contact.enforcement: lagrange).
-template <class Space, class Others>
-SolveReport solve_lagrange(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory&,
+template <class Others>
+SolveReport solve_lagrange(const WorkSpace& space, const SolveQuery& query, RowSystem& system, RowSumMemory&,
                            Others& others) {
   space.fence();
   std::vector<RowImpulse> impulses;

@@ -277,13 +277,12 @@ KOKKOS_INLINE_FUNCTION void book_row(ContactRow& row, const RowNodes& at, const 
 
 }  // namespace
 
-template <class Space>
-double push_springs(const Space& space, double scale, const SpringTimes& times, const RowSystem& system) {
+double push_springs(const WorkSpace& space, double scale, const SpringTimes& times, const RowSystem& system) {
   const Array<ContactRow> rows = system.rows;
   const RowNodes at = system.at;
   double unsettled = 0;
-  Kokkos::parallel_reduce(
-      "contact::push_springs", RangeOf<Space>(space, 0, system.num_rows),
+  parallel_reduce(
+      "contact::push_springs", RangeOf(space, 0, system.num_rows),
       KOKKOS_LAMBDA(int r, double& most) {
         ContactRow& row = rows(r);
         if (!row.has_spring || row.is_rigid) return;
@@ -296,14 +295,13 @@ double push_springs(const Space& space, double scale, const SpringTimes& times, 
   return unsettled > 0 ? unsettled : 0;
 }
 
-template <class Space>
-double settle_springs(const Space& space, const SpringTimes& times, const RowSystem& system) {
+double settle_springs(const WorkSpace& space, const SpringTimes& times, const RowSystem& system) {
   const Array<ContactRow> rows = system.rows;
   const RowNodes at = system.at;
   const Rows3<const double> dv = system.correction;
   double change = 0;
-  Kokkos::parallel_reduce(
-      "contact::settle_springs", RangeOf<Space>(space, 0, system.num_rows),
+  parallel_reduce(
+      "contact::settle_springs", RangeOf(space, 0, system.num_rows),
       KOKKOS_LAMBDA(int r, double& most) {
         ContactRow& row = rows(r);
         if (!(row.spring > 0 && row.stiffness > 0)) return;
@@ -314,22 +312,14 @@ double settle_springs(const Space& space, const SpringTimes& times, const RowSys
   return change > 0 ? change : 0;
 }
 
-template <class Space>
-void book_springs(const Space& space, const SpringTimes& times, const RowSystem& system) {
+void book_springs(const WorkSpace& space, const SpringTimes& times, const RowSystem& system) {
   const Array<ContactRow> rows = system.rows;
   const RowNodes at = system.at;
   const Rows3<const double> dv = system.correction;
-  Kokkos::parallel_for(
-      "contact::book_springs", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+  parallel_for(
+      "contact::book_springs", RangeOf(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         if (rows(r).spring > 0) book_row(rows(r), at, dv, times);
       });
 }
-
-#define PERCUSS_INSTANTIATE(Space)                                                          \
-  template double push_springs(const Space&, double, const SpringTimes&, const RowSystem&); \
-  template double settle_springs(const Space&, const SpringTimes&, const RowSystem&);       \
-  template void book_springs(const Space&, const SpringTimes&, const RowSystem&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

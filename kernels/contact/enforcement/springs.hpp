@@ -31,18 +31,15 @@ struct SpringTimes {
 /// Impulses of the rows that springs push. scale: of the stiffness.
 /// Returns by how much the most unsettled row would leave its cushion, or its spring is not pressed throughout
 /// [length], 0: none.
-template <class Space>
-double push_springs(const Space& space, double scale, const SpringTimes& times, const RowSystem& system);
+double push_springs(const WorkSpace& space, double scale, const SpringTimes& times, const RowSystem& system);
 
 /// A pass over the rows with RowSystem::correction: springs that begin or end in the step, and those of friction whose
 /// slip changes sign, push as energy asks; rows that end it beyond their cushion push more, or less, never less than
 /// their spring. D counts the rows beside each, so that none is thrown back. Returns the largest change [length]; a
 /// change of slip below 1e-6 h counts as none.
-template <class Space>
-double settle_springs(const Space& space, const SpringTimes& times, const RowSystem& system);
+double settle_springs(const WorkSpace& space, const SpringTimes& times, const RowSystem& system);
 
 /// Books what the springs hold at n+1/2, with RowSystem::correction of all pushes: ContactRow::held.
-template <class Space>
-void book_springs(const Space& space, const SpringTimes& times, const RowSystem& system);
+void book_springs(const WorkSpace& space, const SpringTimes& times, const RowSystem& system);
 
 }  // namespace percuss

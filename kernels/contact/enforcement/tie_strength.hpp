@@ -24,17 +24,16 @@ KOKKOS_INLINE_FUNCTION double find_tension(double push, int side) {
 
 /// find_strength_use() of the forces of this rank's tie rows, which are solved. dt_mean: from the middle of the last
 /// step to that of this one. use: out, [ties]; of those that do not fail 0.
-template <class Space>
-void find_tie_uses(const Space& space, const RowSystem& system, const TieStrengths& strengths, double dt_mean,
-                   const Array<double>& use) {
+inline void find_tie_uses(const WorkSpace& space, const RowSystem& system, const TieStrengths& strengths,
+                          double dt_mean, const Array<double>& use) {
   const Array<const ContactRow> rows = system.rows;
   const TieStrengths of = strengths;
   const Array<double> out = use;
-  Kokkos::parallel_for(
-      "contact::clear_tie_uses", RangeOf<Space>(space, 0, static_cast<int>(of.law.extent(0))),
+  parallel_for(
+      "contact::clear_tie_uses", RangeOf(space, 0, static_cast<int>(of.law.extent(0))),
       KOKKOS_LAMBDA(int t) { out(t) = 0; });
-  Kokkos::parallel_for(
-      "contact::find_tie_uses", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+  parallel_for(
+      "contact::find_tie_uses", RangeOf(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         const ContactRow& row = rows(r);
         if (!is_tie(row) || ties_rotation(row) || of.law(row.record) < 0) return;
         const Point3 normal = normalize(cross(row.rho[3] - row.rho[1], row.rho[4] - row.rho[2]));

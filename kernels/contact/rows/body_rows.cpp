@@ -9,8 +9,8 @@ namespace percuss {
 namespace {
 
 /// Six sums over the owned places of each body: add_place(place, response, values).
-template <class Space, class Add>
-std::vector<ExactSum> sum_places(const Space& space, RowSystem& system, const Add& add_place) {
+template <class Add>
+std::vector<ExactSum> sum_places(const WorkSpace& space, RowSystem& system, const Add& add_place) {
   RowBodies& bodies = system.bodies;
   std::vector<ExactSum> sums(6 * static_cast<std::size_t>(bodies.count()));
   const Array<const int> places = bodies.places;
@@ -72,8 +72,7 @@ KOKKOS_INLINE_FUNCTION double divide(double a, double b) { return b > 0 ? a / b 
 
 }  // namespace
 
-template <class Space>
-void start_bodies(const Space& space, const BodyInputs& inputs, RowSystem& system) {
+void start_bodies(const WorkSpace& space, const BodyInputs& inputs, RowSystem& system) {
   RowBodies& bodies = system.bodies;
   bodies.inputs = inputs;
   if (inputs.count == 0) return;
@@ -83,8 +82,8 @@ void start_bodies(const Space& space, const BodyInputs& inputs, RowSystem& syste
   const BodyInputs in = inputs;
   const Array<const int> nodes = system.nodes;
   const RowNodes at = system.at;
-  Kokkos::parallel_for(
-      "contact::mark_bodies", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
+  parallel_for(
+      "contact::mark_bodies", RangeOf(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
         const int body = in.of_node(nodes(a));
         of_place(a) = body;
         if (body < 0) return;
@@ -94,8 +93,7 @@ void start_bodies(const Space& space, const BodyInputs& inputs, RowSystem& syste
       });
 }
 
-template <class Space>
-void list_body_places(const Space& space, RowSystem& system) {
+void list_body_places(const WorkSpace& space, RowSystem& system) {
   RowBodies& bodies = system.bodies;
   const int num_places = system.num_places(), count = bodies.count();
   for (Array<int>* list : {&bodies.places, &bodies.key, &bodies.index}) reserve(*list, num_places);
@@ -103,19 +101,18 @@ void list_body_places(const Space& space, RowSystem& system) {
   reserve(bodies.offset, count + 1);
   const Array<int> key = bodies.key, index = bodies.index;
   const Array<const int> of_place = bodies.of_place;
-  Kokkos::parallel_for(
-      "contact::list_body_places", RangeOf<Space>(space, 0, num_places), KOKKOS_LAMBDA(int a) {
+  parallel_for(
+      "contact::list_body_places", RangeOf(space, 0, num_places), KOKKOS_LAMBDA(int a) {
         key(a) = of_place(a) < 0 ? count : of_place(a);
         index(a) = a;
       });
-  group_by_key<Space>(space, {num_places, key, index, count}, {bodies.size, bodies.offset, bodies.places});
+  group_by_key(space, {num_places, key, index, count}, {bodies.size, bodies.offset, bodies.places});
   space.fence();
   const auto offset = to_host(bodies.offset);
   bodies.first.assign(offset.data(), offset.data() + count + 1);
 }
 
-template <class Space>
-std::vector<ExactSum> sum_body_coefficients(const Space& space, RowSystem& system) {
+std::vector<ExactSum> sum_body_coefficients(const WorkSpace& space, RowSystem& system) {
   const Rows3<const double> sum = system.abs_sum, x = system.at.x;
   return sum_places(space, system, [=] KOKKOS_FUNCTION(int a, const BodyResponse& body, double(&values)[6]) {
     const Point3 s = load_row(sum, a);
@@ -123,8 +120,7 @@ std::vector<ExactSum> sum_body_coefficients(const Space& space, RowSystem& syste
   });
 }
 
-template <class Space>
-void spread_body_coefficients(const Space& space, const std::vector<ExactSum>& sums, RowSystem& system) {
+void spread_body_coefficients(const WorkSpace& space, const std::vector<ExactSum>& sums, RowSystem& system) {
   RowBodies& bodies = system.bodies;
   std::vector<Wrench> totals;
   totals.reserve(static_cast<std::size_t>(bodies.count()));
@@ -134,8 +130,8 @@ void spread_body_coefficients(const Space& space, const std::vector<ExactSum>& s
   const Array<const BodyResponse> responses = bodies.inputs.responses;
   const Rows3<double> sum = system.abs_sum;
   const Rows3<const double> x = system.at.x, compliance = system.at.inverse_mass;
-  Kokkos::parallel_for(
-      "contact::spread_body_coefficients", RangeOf<Space>(space, 0, bodies.first.back()), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::spread_body_coefficients", RangeOf(space, 0, bodies.first.back()), KOKKOS_LAMBDA(int i) {
         const int a = places(i), b = of_place(a);
         const BodyResponse& body = responses(b);
         const Point3 w = load_row(compliance, a), m = body.inverse_mass, s = total(b).impulse;
@@ -147,13 +143,12 @@ void spread_body_coefficients(const Space& space, const std::vector<ExactSum>& s
   space.fence();
 }
 
-template <class Space>
-void hold_rows_within_bodies(const Space& space, RowSystem& system) {
+void hold_rows_within_bodies(const WorkSpace& space, RowSystem& system) {
   const Array<ContactRow> rows = system.rows;
   const Array<const int> of_place = system.bodies.of_place;
   const Array<int> wants = system.wants;
-  Kokkos::parallel_for(
-      "contact::hold_rows_within_bodies", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+  parallel_for(
+      "contact::hold_rows_within_bodies", RangeOf(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         ContactRow& row = rows(r);
         const int body = of_place(row.place[0]);
         if (body < 0 || row.kind == RowKind::wall) return;
@@ -166,14 +161,13 @@ void hold_rows_within_bodies(const Space& space, RowSystem& system) {
       });
 }
 
-template <class Space>
-void mark_rigid_rows(const Space& space, const RowInputs& inputs, RowSystem& system) {
+void mark_rigid_rows(const WorkSpace& space, const RowInputs& inputs, RowSystem& system) {
   const Array<ContactRow> rows = system.rows;
   const Array<const int> of_place = system.bodies.of_place;
   const RowNodes at = system.at;
   const double dt = inputs.motion.dt, restitution = inputs.restitution;
-  Kokkos::parallel_for(
-      "contact::mark_rigid_rows", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+  parallel_for(
+      "contact::mark_rigid_rows", RangeOf(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         ContactRow& row = rows(r);
         if (!is_of_bodies(row, of_place)) return;
         row.is_rigid = true;
@@ -184,8 +178,7 @@ void mark_rigid_rows(const Space& space, const RowInputs& inputs, RowSystem& sys
       });
 }
 
-template <class Space>
-std::vector<ExactSum> sum_body_impulses(const Space& space, RowSystem& system) {
+std::vector<ExactSum> sum_body_impulses(const WorkSpace& space, RowSystem& system) {
   const ShareSums impulses(system);
   const Rows3<const double> x = system.at.x;
   return sum_places(space, system, [=] KOKKOS_FUNCTION(int a, const BodyResponse& body, double(&values)[6]) {
@@ -206,14 +199,13 @@ void set_body_changes(const std::vector<ExactSum>& sums, RowSystem& system) {
   Kokkos::deep_copy(bodies.change, change);
 }
 
-template <class Space>
-void move_packed_body_places(const Space& space, double beta, const RowSystem& system) {
+void move_packed_body_places(const WorkSpace& space, double beta, const RowSystem& system) {
   const RowPacks p = system.packs;
   const Array<const int> places = system.bodies.places;
   const PlaceChange change(system);
   const Rows3<double> correction = system.correction;
-  Kokkos::parallel_for(
-      "contact::move_packed_body_places", RangeOf<Space>(space, 0, system.bodies.first.back()), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::move_packed_body_places", RangeOf(space, 0, system.bodies.first.back()), KOKKOS_LAMBDA(int i) {
         const int a = places(i);
         const Point3 before = load_row(correction, a), dv = change(a);
         store_row(correction, a, dv);
@@ -221,29 +213,15 @@ void move_packed_body_places(const Space& space, double beta, const RowSystem& s
       });
 }
 
-template <class Space>
-void move_body_places(const Space& space, const RowSystem& system) {
+void move_body_places(const WorkSpace& space, const RowSystem& system) {
   const Array<const int> places = system.bodies.places;
   const PlaceChange change(system);
   const Rows3<double> correction = system.correction;
-  Kokkos::parallel_for(
-      "contact::move_body_places", RangeOf<Space>(space, 0, system.bodies.first.back()), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::move_body_places", RangeOf(space, 0, system.bodies.first.back()), KOKKOS_LAMBDA(int i) {
         const int a = places(i);
         store_row(correction, a, change(a));
       });
 }
-
-#define PERCUSS_INSTANTIATE(Space)                                                                \
-  template void start_bodies(const Space&, const BodyInputs&, RowSystem&);                        \
-  template void list_body_places(const Space&, RowSystem&);                                       \
-  template std::vector<ExactSum> sum_body_coefficients(const Space&, RowSystem&);                 \
-  template void spread_body_coefficients(const Space&, const std::vector<ExactSum>&, RowSystem&); \
-  template void hold_rows_within_bodies(const Space&, RowSystem&);                                \
-  template void mark_rigid_rows(const Space&, const RowInputs&, RowSystem&);                      \
-  template std::vector<ExactSum> sum_body_impulses(const Space&, RowSystem&);                     \
-  template void move_packed_body_places(const Space&, double, const RowSystem&);                  \
-  template void move_body_places(const Space&, const RowSystem&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -13,41 +13,32 @@
 namespace percuss {
 
 /// Bodies of the owned places, and the compliance of these in RowNodes::inverse_mass. After the nodes are gathered.
-template <class Space>
-void start_bodies(const Space& space, const BodyInputs& inputs, RowSystem& system);
+void start_bodies(const WorkSpace& space, const BodyInputs& inputs, RowSystem& system);
 
 /// Lists the places of each body, once RowBodies::of_place of foreign places has come.
-template <class Space>
-void list_body_places(const Space& space, RowSystem& system);
+void list_body_places(const WorkSpace& space, RowSystem& system);
 
 /// Sums over the owned places of each body, six a body: of the absolute coefficients S and their bounds |r| x S.
-template <class Space>
-std::vector<ExactSum> sum_body_coefficients(const Space& space, RowSystem& system);
+std::vector<ExactSum> sum_body_coefficients(const WorkSpace& space, RowSystem& system);
 
 /// With those sums of all ranks: S of the places of bodies such that S times the compliance is their share of D.
-template <class Space>
-void spread_body_coefficients(const Space& space, const std::vector<ExactSum>& sums, RowSystem& system);
+void spread_body_coefficients(const WorkSpace& space, const std::vector<ExactSum>& sums, RowSystem& system);
 
 /// Rows between nodes of one body move nothing: they are held.
-template <class Space>
-void hold_rows_within_bodies(const Space& space, RowSystem& system);
+void hold_rows_within_bodies(const WorkSpace& space, RowSystem& system);
 
 /// Marks the rows between rigid bodies, and of one with a wall: ContactRow::is_rigid. Those that would close in the
 /// step part instead, with the share RowInputs::restitution of the velocity at which they came at n-1/2.
-template <class Space>
-void mark_rigid_rows(const Space& space, const RowInputs& inputs, RowSystem& system);
+void mark_rigid_rows(const WorkSpace& space, const RowInputs& inputs, RowSystem& system);
 
 /// Impulse and moment of all entries on the owned places of each body, from their shares.
-template <class Space>
-std::vector<ExactSum> sum_body_impulses(const Space& space, RowSystem& system);
+std::vector<ExactSum> sum_body_impulses(const WorkSpace& space, RowSystem& system);
 
 /// With those sums of all ranks: RowBodies::wrench and change.
 void set_body_changes(const std::vector<ExactSum>& sums, RowSystem& system);
 
 /// dv of the places of bodies: RowSystem::correction and, in packs, dv + beta (dv - dv of the iterate before).
-template <class Space>
-void move_packed_body_places(const Space& space, double beta, const RowSystem& system);
-template <class Space>
-void move_body_places(const Space& space, const RowSystem& system);
+void move_packed_body_places(const WorkSpace& space, double beta, const RowSystem& system);
+void move_body_places(const WorkSpace& space, const RowSystem& system);
 
 }  // namespace percuss

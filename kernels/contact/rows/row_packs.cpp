@@ -106,13 +106,12 @@ PERCUSS_FLATTEN KOKKOS_FUNCTION void advance_pack(RowPack& pack, const Rows4<dou
 
 /// In each stretch of rows those that want something first, so that packs of others may rest; both kinds ascending. The
 /// stretches are short, so that threads share the work evenly, each of rows that have nodes in common.
-template <class Space>
-void order_rows(const Space& space, const Array<const int>& wants, int num_rows, RowPacks& packs) {
+void order_rows(const WorkSpace& space, const Array<const int>& wants, int num_rows, RowPacks& packs) {
   constexpr int stretch = 64 * RowPack::lanes;
   reserve(packs.order, num_rows);
   const Array<int> order = packs.order;
-  Kokkos::parallel_for(
-      "contact::order_rows", RangeOf<Space>(space, 0, (num_rows + stretch - 1) / stretch), KOKKOS_LAMBDA(int s) {
+  parallel_for(
+      "contact::order_rows", RangeOf(space, 0, (num_rows + stretch - 1) / stretch), KOKKOS_LAMBDA(int s) {
         const int first = s * stretch, end = first + stretch < num_rows ? first + stretch : num_rows;
         int place = first;
         for (const int wanting : {1, 0})
@@ -123,19 +122,18 @@ void order_rows(const Space& space, const Array<const int>& wants, int num_rows,
 
 }  // namespace
 
-template <class Space>
-void pack_geometry(const Space& space, RowSystem& system) {
+void pack_geometry(const WorkSpace& space, RowSystem& system) {
   RowPacks& packs = system.packs;
   const int num_rows = system.num_rows, nowhere = system.num_places();
   packs.count = (num_rows + RowPack::lanes - 1) / RowPack::lanes;
-  order_rows<Space>(space, system.wants, num_rows, packs);
+  order_rows(space, system.wants, num_rows, packs);
   reserve(packs.pack, packs.count);
   const RowPacks p = packs;
   const Array<const ContactRow> rows = system.rows;
   const Array<const int> share_of_slot = system.share_of_slot;
   const Array<const TurningRow> turning = system.turning;
-  Kokkos::parallel_for(
-      "contact::pack_geometry", RangeOf<Space>(space, 0, packs.count), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::pack_geometry", RangeOf(space, 0, packs.count), KOKKOS_LAMBDA(int i) {
         RowPack& pack = p.pack(i);
         pack.has_friction = pack.ties = pack.tilted = pack.turning = 0;
         for (int lane = 0; lane < RowPack::lanes; ++lane) {
@@ -148,8 +146,7 @@ void pack_geometry(const Space& space, RowSystem& system) {
       });
 }
 
-template <class Space>
-void pack_rows(const Space& space, RowSystem& system) {
+void pack_rows(const WorkSpace& space, RowSystem& system) {
   RowPacks& packs = system.packs;
   const int nowhere = system.num_places();
   reserve(packs.active, packs.count);
@@ -158,8 +155,8 @@ void pack_rows(const Space& space, RowSystem& system) {
   reserve(packs.active_nodes, nowhere + 1);
   const RowPacks p = packs;
   const Rows3<double> correction = system.correction;
-  Kokkos::parallel_for(
-      "contact::clear_places", RangeOf<Space>(space, 0, nowhere + 1), KOKKOS_LAMBDA(int a) {
+  parallel_for(
+      "contact::clear_places", RangeOf(space, 0, nowhere + 1), KOKKOS_LAMBDA(int a) {
         set_dv(p, a, Point3{});
         p.active_nodes(a) = 0;
         if (a < nowhere) store_row(correction, a, Point3{});
@@ -170,8 +167,8 @@ void pack_rows(const Space& space, RowSystem& system) {
   const bool is_alone = space.concurrency() == 1;
   // Rows may have changed since sum_stiffness(): by hold_rows_within_bodies(), or springs push them.
   const bool have_changed = system.bodies.count() > 0 || system.has_springs;
-  Kokkos::parallel_for(
-      "contact::pack_rows", RangeOf<Space>(space, 0, packs.count), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::pack_rows", RangeOf(space, 0, packs.count), KOKKOS_LAMBDA(int i) {
         RowPack& pack = p.pack(i);
         p.active(i) = 0;
         for (int lane = 0; lane < RowPack::lanes; ++lane) {
@@ -184,13 +181,12 @@ void pack_rows(const Space& space, RowSystem& system) {
         if (p.active(i) != 0) activate_nodes(pack, is_alone, p.active_nodes);
       });
   const Array<const int> remote_place = system.remote_place;
-  Kokkos::parallel_for(
-      "contact::activate_remote", RangeOf<Space>(space, 0, system.num_remote),
+  parallel_for(
+      "contact::activate_remote", RangeOf(space, 0, system.num_remote),
       KOKKOS_LAMBDA(int k) { Kokkos::atomic_fetch_or(&p.active_nodes(remote_place(k)), 1); });
 }
 
-template <class Space>
-void move_nodes(const Space& space, double beta, const RowSystem& system) {
+void move_nodes(const WorkSpace& space, double beta, const RowSystem& system) {
   place_remote_shares(space, system);
   const ShareSums sums(system);
   const RowPacks p = system.packs;
@@ -198,8 +194,8 @@ void move_nodes(const Space& space, double beta, const RowSystem& system) {
   const Rows3<const double> inverse_mass = system.at.inverse_mass;
   const bool has_bodies = system.bodies.count() > 0;
   const Array<const int> body_of_place = system.bodies.of_place;
-  Kokkos::parallel_for(
-      "contact::move_nodes", RangeOf<Space>(space, 0, system.num_places()), KOKKOS_LAMBDA(int a) {
+  parallel_for(
+      "contact::move_nodes", RangeOf(space, 0, system.num_places()), KOKKOS_LAMBDA(int a) {
         if (p.active_nodes(a) == 0 || (has_bodies && body_of_place(a) >= 0)) return;
         const Point3 before = load_row(correction, a);
         const Point3 dv = multiply(load_row(inverse_mass, a), sums(a));
@@ -208,8 +204,7 @@ void move_nodes(const Space& space, double beta, const RowSystem& system) {
       });
 }
 
-template <class Space>
-PassSums correct_rows(const Space& space, const PassQuery& query, const RowSystem& system, RowSumMemory& memory) {
+PassSums correct_rows(const WorkSpace& space, const PassQuery& query, const RowSystem& system, RowSumMemory& memory) {
   const RowPacks p = system.packs;
   const Rows4<double> shares = system.shares;
   const bool is_alone = space.concurrency() == 1;
@@ -225,12 +220,11 @@ PassSums correct_rows(const Space& space, const PassQuery& query, const RowSyste
                             });
 }
 
-template <class Space>
-void straighten_gaps(const Space& space, const RowSystem& system) {
+void straighten_gaps(const WorkSpace& space, const RowSystem& system) {
   const RowPacks p = system.packs;
   const Array<ContactRow> rows = system.rows;
-  Kokkos::parallel_for(
-      "contact::straighten_gaps", RangeOf<Space>(space, 0, p.count), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::straighten_gaps", RangeOf(space, 0, p.count), KOKKOS_LAMBDA(int i) {
         RowPack& pack = p.pack(i);
         for (int lane = 0; lane < RowPack::lanes; ++lane) {
           if (pack.row[lane] < 0) continue;
@@ -241,12 +235,11 @@ void straighten_gaps(const Space& space, const RowSystem& system) {
       });
 }
 
-template <class Space>
-void unpack_rows(const Space& space, const RowSystem& system) {
+void unpack_rows(const WorkSpace& space, const RowSystem& system) {
   const RowPacks p = system.packs;
   const Array<ContactRow> rows = system.rows;
-  Kokkos::parallel_for(
-      "contact::unpack_rows", RangeOf<Space>(space, 0, p.count), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::unpack_rows", RangeOf(space, 0, p.count), KOKKOS_LAMBDA(int i) {
         if (p.active(i) == 0) return;
         const RowPack& pack = p.pack(i);
         for (int lane = 0; lane < RowPack::lanes; ++lane) {
@@ -259,15 +252,5 @@ void unpack_rows(const Space& space, const RowSystem& system) {
         }
       });
 }
-
-#define PERCUSS_INSTANTIATE(Space)                                                                 \
-  template void pack_geometry(const Space&, RowSystem&);                                           \
-  template void pack_rows(const Space&, RowSystem&);                                               \
-  template void move_nodes(const Space&, double, const RowSystem&);                                \
-  template PassSums correct_rows(const Space&, const PassQuery&, const RowSystem&, RowSumMemory&); \
-  template void straighten_gaps(const Space&, const RowSystem&);                                   \
-  template void unpack_rows(const Space&, const RowSystem&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -7,26 +7,21 @@
 namespace percuss {
 
 /// Packs what rows are from the start: those that want something first.
-template <class Space>
-void pack_geometry(const Space& space, RowSystem& system);
+void pack_geometry(const WorkSpace& space, RowSystem& system);
 
 /// Sums of the absolute coefficients of each entry: RowSystem::shares. In: packs.
-template <class Space>
-void share_coefficients(const Space& space, const RowSystem& system);
+void share_coefficients(const WorkSpace& space, const RowSystem& system);
 
 /// D of each row: sum over its nodes of |c| S / m, a bound of the row sum of |G M^-1 G^T|; RowSystem::wants. Packs what
 /// rows ask for, with their first guess. In: S at all places, packs.
-template <class Space>
-void sum_stiffness(const Space& space, RowSystem& system);
+void sum_stiffness(const WorkSpace& space, RowSystem& system);
 
 /// Begins the iteration: shares of all entries by the first guess. In: what sum_stiffness() left in the packs.
-template <class Space>
-void pack_rows(const Space& space, RowSystem& system);
+void pack_rows(const WorkSpace& space, RowSystem& system);
 
 /// New dv of all places from the shares: RowSystem::correction, and dv + beta (dv - dv of the iterate before) in
 /// RowPacks::dv.
-template <class Space>
-void move_nodes(const Space& space, double beta, const RowSystem& system);
+void move_nodes(const WorkSpace& space, double beta, const RowSystem& system);
 
 /// What a pass corrects by and is asked besides.
 struct PassQuery {
@@ -37,18 +32,15 @@ struct PassQuery {
 
 /// Corrects the impulses of all rows from their extrapolated iterate; new shares. Packs of rows that have no push, need
 /// none as things lie, and none of whose nodes was ever moved stay as they are.
-template <class Space>
-PassSums correct_rows(const Space& space, const PassQuery& query, const RowSystem& system, RowSumMemory& memory);
+PassSums correct_rows(const WorkSpace& space, const PassQuery& query, const RowSystem& system, RowSumMemory& memory);
 
 /// Lets the gap of every row change along its push direction only. Where the gradient of a gap is another, as of a node
 /// that slides around a cylinder or a sphere, what rows do to each other is not symmetric and the iteration may
 /// diverge; with this it is symmetric and contracts. The price is the square of the angle, which the next steps recover
 /// like any penetration.
-template <class Space>
-void straighten_gaps(const Space& space, const RowSystem& system);
+void straighten_gaps(const WorkSpace& space, const RowSystem& system);
 
 /// Brings the impulses of the packs back to the rows.
-template <class Space>
-void unpack_rows(const Space& space, const RowSystem& system);
+void unpack_rows(const WorkSpace& space, const RowSystem& system);
 
 }  // namespace percuss

@@ -61,29 +61,27 @@ PERCUSS_FLATTEN KOKKOS_FUNCTION PackedStiffness sum_stiffness(const RowPack& pac
 
 }  // namespace
 
-template <class Space>
-void share_coefficients(const Space& space, const RowSystem& system) {
+void share_coefficients(const WorkSpace& space, const RowSystem& system) {
   const RowPacks p = system.packs;
   const Rows4<double> shares = system.shares;
-  Kokkos::parallel_for(
-      "contact::share_coefficients", RangeOf<Space>(space, 0, p.count),
+  parallel_for(
+      "contact::share_coefficients", RangeOf(space, 0, p.count),
       KOKKOS_LAMBDA(int i) { share_coefficients(p.pack(i), shares); });
 }
 
-template <class Space>
-void sum_stiffness(const Space& space, RowSystem& system) {
+void sum_stiffness(const WorkSpace& space, RowSystem& system) {
   const RowPacks p = system.packs;
   const Array<ContactRow> rows = system.rows;
   const Array<int> wants = system.wants;
   const Rows3<double> sums = system.abs_sum, inverse_mass = system.at.inverse_mass;
   const int nowhere = system.num_places();
-  Kokkos::parallel_for(
-      "contact::clear_nowhere", RangeOf<Space>(space, nowhere, nowhere + 1), KOKKOS_LAMBDA(int a) {
+  parallel_for(
+      "contact::clear_nowhere", RangeOf(space, nowhere, nowhere + 1), KOKKOS_LAMBDA(int a) {
         store_row(sums, a, Point3{});
         store_row(inverse_mass, a, Point3{});
       });
-  Kokkos::parallel_for(
-      "contact::sum_stiffness", RangeOf<Space>(space, 0, p.count), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::sum_stiffness", RangeOf(space, 0, p.count), KOKKOS_LAMBDA(int i) {
         RowPack& pack = p.pack(i);
         const PackedStiffness found = sum_stiffness(pack, sums, inverse_mass);
         for (int lane = 0; lane < RowPack::lanes; ++lane) {
@@ -99,11 +97,5 @@ void sum_stiffness(const Space& space, RowSystem& system) {
         }
       });
 }
-
-#define PERCUSS_INSTANTIATE(Space)                                  \
-  template void share_coefficients(const Space&, const RowSystem&); \
-  template void sum_stiffness(const Space&, RowSystem&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

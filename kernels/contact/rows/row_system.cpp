@@ -35,16 +35,14 @@ EntryNodes list_entry_nodes(const Array<const RowTouch>& touches, int num_touche
 }
 
 /// Touches of edges come after those of faces and number their records from 0.
-template <class Space>
-int count_edge_touches(const Space& space, const Array<const RowTouch>& touches, int num_touches) {
+int count_edge_touches(const WorkSpace& space, const Array<const RowTouch>& touches, int num_touches) {
   if (num_touches == 0) return 0;
   const RowTouch last = read_value(space, touches, num_touches - 1);
   return last.kind == RowKind::edges ? last.record + 1 : 0;
 }
 
 /// Lists the wall pairs in reach; returns how many.
-template <class Space>
-int list_near_walls(const Space& space, const WallPairs& walls, const RowInputs& inputs, RowSystem& system) {
+int list_near_walls(const WorkSpace& space, const WallPairs& walls, const RowInputs& inputs, RowSystem& system) {
   const int pairs = walls.count_looked_at();
   if (pairs == 0) return 0;
   const WallPairs w = walls;
@@ -53,7 +51,7 @@ int list_near_walls(const Space& space, const WallPairs& walls, const RowInputs&
   // A spring gives back what it holds as it ends, however fast.
   const bool keeps_pressed = inputs.springs == SpringRows::all;
   reserve(system.near_walls, pairs);
-  const int num_near = list_where<Space>(
+  const int num_near = list_where(
       space, pairs,
       [w, m, leaves_out_inner, keeps_pressed] KOKKOS_FUNCTION(int i) {
         const int p = w.look_at(i);
@@ -64,19 +62,17 @@ int list_near_walls(const Space& space, const WallPairs& walls, const RowInputs&
       system.near_walls);
   const Array<int> near = system.near_walls;
   if (walls.num_awake >= 0)
-    Kokkos::parallel_for(
-        "contact::near_walls", RangeOf<Space>(space, 0, num_near),
-        KOKKOS_LAMBDA(int i) { near(i) = w.look_at(near(i)); });
+    parallel_for(
+        "contact::near_walls", RangeOf(space, 0, num_near), KOKKOS_LAMBDA(int i) { near(i) = w.look_at(near(i)); });
   return num_near;
 }
 
 /// Numbers the nodes of this rank that rows and remote entries touch, in the order in which these do: a thread then
 /// moves the nodes that its rows push.
-template <class Space>
-void number_nodes(const Space& space, int num_mesh_nodes, const EntryNodes& entries, RowSystem& system) {
+void number_nodes(const WorkSpace& space, int num_mesh_nodes, const EntryNodes& entries, RowSystem& system) {
   if (static_cast<int>(system.place_of_node.extent(0)) < num_mesh_nodes) {
     reserve(system.place_of_node, num_mesh_nodes);
-    Kokkos::deep_copy(space, system.place_of_node, -1);
+    fill(space, system.place_of_node, -1);
   }
   const int num_entries = system.num_rows * row_nodes + static_cast<int>(system.remote_node.extent(0));
   reserve(system.first_entry, num_entries);
@@ -86,8 +82,8 @@ void number_nodes(const Space& space, int num_mesh_nodes, const EntryNodes& entr
   const bool is_alone = space.concurrency() == 1;
   // A node's first entry has the largest of these marks (num_entries - e), which a maximum by atomics finds; untouched
   // nodes have -1.
-  Kokkos::parallel_for(
-      "contact::mark_nodes", RangeOf<Space>(space, 0, num_entries), KOKKOS_LAMBDA(int e) {
+  parallel_for(
+      "contact::mark_nodes", RangeOf(space, 0, num_entries), KOKKOS_LAMBDA(int e) {
         const int node = touched(e), mark = num_entries - e;
         if (node < 0) return;
         if (is_alone)
@@ -95,22 +91,21 @@ void number_nodes(const Space& space, int num_mesh_nodes, const EntryNodes& entr
         else
           Kokkos::atomic_fetch_max(&place(node), mark);
       });
-  system.num_nodes = list_where<Space>(
+  system.num_nodes = list_where(
       space, num_entries,
       [touched, place, num_entries] KOKKOS_FUNCTION(int e) {
         const int node = touched(e);
         return node >= 0 && place(node) == num_entries - e;
       },
       first);
-  Kokkos::parallel_for(
-      "contact::number_nodes", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
+  parallel_for(
+      "contact::number_nodes", RangeOf(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
         nodes(a) = touched(first(a));
         place(nodes(a)) = a;
       });
 }
 
-template <class Space>
-void gather_nodes(const Space& space, const RowInputs& inputs, RowSystem& system) {
+void gather_nodes(const WorkSpace& space, const RowInputs& inputs, RowSystem& system) {
   RowNodes& all = system.at;
   for (Rows3<double>* rows : {&all.x, &all.v, &all.v_before, &all.v_checked, &all.inverse_mass})
     reserve(*rows, system.num_places() + 1);
@@ -122,8 +117,8 @@ void gather_nodes(const Space& space, const RowInputs& inputs, RowSystem& system
   const RowNodes at = system.at;
   const RowInputs in = inputs;
   const Array<const int> nodes = system.nodes;
-  Kokkos::parallel_for(
-      "contact::gather_nodes", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
+  parallel_for(
+      "contact::gather_nodes", RangeOf(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
         const int n = nodes(a);
         store_row(at.x, a, load_row(in.motion.x, n));
         store_row(at.v, a, load_row(in.motion.v, n));
@@ -154,8 +149,7 @@ struct RowKeys {
 
 /// Places of the entries, and these by place, ascending in their rows' keys: local ones ascend with the row;
 /// remote ones find their place.
-template <class Space>
-void group_entries(const Space& space, const EntryNodes& entries, const RowKeys& keys, RowSystem& system) {
+void group_entries(const WorkSpace& space, const EntryNodes& entries, const RowKeys& keys, RowSystem& system) {
   const int num_local = system.num_rows * row_nodes, num_entries = num_local + system.num_remote;
   reserve(system.place_of_entry, num_entries);
   reserve(system.entry_value, num_entries);
@@ -170,8 +164,8 @@ void group_entries(const Space& space, const EntryNodes& entries, const RowKeys&
   const Array<const int> foreign = system.foreign, remote_place = system.remote_place;
   const EntryNodes touched = entries;
   const int num_nodes = system.num_nodes, nowhere = system.num_places();
-  Kokkos::parallel_for(
-      "contact::list_entries", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+  parallel_for(
+      "contact::list_entries", RangeOf(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         for (int slot = 0; slot < row_nodes; ++slot) {
           const int e = r * row_nodes + slot;
           value(e) = e;
@@ -182,19 +176,18 @@ void group_entries(const Space& space, const EntryNodes& entries, const RowKeys&
           place_of_entry(e) = node >= 0 ? place(node) : num_nodes + foreign(-1 - node);
         }
       });
-  Kokkos::parallel_for(
-      "contact::list_remote_entries", RangeOf<Space>(space, 0, system.num_remote), KOKKOS_LAMBDA(int k) {
+  parallel_for(
+      "contact::list_remote_entries", RangeOf(space, 0, system.num_remote), KOKKOS_LAMBDA(int k) {
         place_of_entry(num_local + k) = remote_place(k);
         value(num_local + k) = num_local + k;
       });
   // Of slots not in use there is no key.
-  group_by_key<Space>(space, {num_entries, place_of_entry, value, nowhere},
-                      {system.count, system.offset, system.entry});
+  group_by_key(space, {num_entries, place_of_entry, value, nowhere}, {system.count, system.offset, system.entry});
   const Array<int> nodes = system.nodes, entry = system.entry, offset = system.offset;
   const Array<const std::int64_t> remote_key = system.remote_key;
   const RowKeys row_key = keys;
-  Kokkos::parallel_for(
-      "contact::merge_entries", RangeOf<Space>(space, 0, nowhere), KOKKOS_LAMBDA(int a) {
+  parallel_for(
+      "contact::merge_entries", RangeOf(space, 0, nowhere), KOKKOS_LAMBDA(int a) {
         if (a < num_nodes) place(nodes(a)) = -1;  // as it was before the set-up
         const auto get_key = [&](int e) { return e < num_local ? row_key(e / row_nodes) : remote_key(e - num_local); };
         int first = offset(a);
@@ -217,8 +210,7 @@ void group_entries(const Space& space, const EntryNodes& entries, const RowKeys&
 
 }  // namespace
 
-template <class Space>
-void collect_touches(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
+void collect_touches(const WorkSpace& space, const ContactSurface& surface, const CandidateList& candidates,
                      const TouchTable& table, const SurfaceNumbers& numbers_of, Array<RowTouch>& touches) {
   reserve(touches, table.count);
   const ContactSurface s = surface;
@@ -226,8 +218,8 @@ void collect_touches(const Space& space, const ContactSurface& surface, const Ca
   const Array<const NodeTouches> by_node = table.by_node;
   const Array<const std::int64_t> faces = numbers_of.faces, numbers = numbers_of.nodes;
   const Array<RowTouch> out = touches;
-  Kokkos::parallel_for(
-      "contact::collect_touches", RangeOf<Space>(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::collect_touches", RangeOf(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
         const int node = nodes(i);
         for (int j = 0; j < by_node(node).count; ++j) {
           const Touch& touch = by_node(node).touch[j];
@@ -245,15 +237,13 @@ void collect_touches(const Space& space, const ContactSurface& surface, const Ca
       });
 }
 
-template <class Space>
-void count_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, RowSystem& system) {
+void count_rows(const WorkSpace& space, const RowInputs& inputs, const RowSources& sources, RowSystem& system) {
   const int num_ties = static_cast<int>(inputs.ties.extent(0));
   system.num_edge_rows = count_edge_touches(space, sources.touches, sources.num_touches - num_ties);
   system.num_rows = sources.num_touches + list_near_walls(space, sources.walls, inputs, system);
 }
 
-template <class Space>
-void start_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, RowSystem& system) {
+void start_rows(const WorkSpace& space, const RowInputs& inputs, const RowSources& sources, RowSystem& system) {
   const auto& [touches, num_touches, walls] = sources;
   system.has_springs = has_springs(inputs);
   number_nodes(space, static_cast<int>(inputs.motion.x.extent(0)),
@@ -338,9 +328,8 @@ struct RowMaker {
 
 }  // namespace
 
-template <class Space>
-void make_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, const ContactHistory& history,
-               RowSystem& system) {
+void make_rows(const WorkSpace& space, const RowInputs& inputs, const RowSources& sources,
+               const ContactHistory& history, RowSystem& system) {
   const auto& [touches, num_touches, walls] = sources;
   reserve(system.rows, system.num_rows);
   reserve(system.wants, system.num_rows);
@@ -361,63 +350,46 @@ void make_rows(const Space& space, const RowInputs& inputs, const RowSources& so
                        num_touches,
                        system.num_rows};
   const int packs = (system.num_rows + TouchPack::lanes - 1) / TouchPack::lanes;
-  Kokkos::parallel_for("contact::make_rows", RangeOf<Space>(space, 0, packs), maker);
+  parallel_for("contact::make_rows", RangeOf(space, 0, packs), maker);
 }
 
-template <class Space>
-void share_impulses(const Space& space, const RowSystem& system) {
+void share_impulses(const WorkSpace& space, const RowSystem& system) {
   const Array<const ContactRow> rows = system.rows;
   const Array<const int> share_of_slot = system.share_of_slot;
   const Rows4<double> shares = system.shares;
-  Kokkos::parallel_for(
-      "contact::share_impulses", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+  parallel_for(
+      "contact::share_impulses", RangeOf(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         const ContactRow& row = rows(r);
         for (int slot = 0; slot < count_nodes(row); ++slot)
           store_row(shares, share_of_slot(r * row_nodes + slot), spread_impulse(row, slot, row.force, row.couple));
       });
 }
 
-template <class Space>
-void get_sent_shares(const Space& space, const RowSystem& system, const Rows3<double>& values) {
+void get_sent_shares(const WorkSpace& space, const RowSystem& system, const Rows3<double>& values) {
   const Rows4<const double> shares = system.shares;
   const Array<const int> entry = system.sent, share = system.share_of_slot;
   const Rows3<double> out = values;
-  Kokkos::parallel_for(
-      "contact::sent_shares", RangeOf<Space>(space, 0, system.num_sent),
+  parallel_for(
+      "contact::sent_shares", RangeOf(space, 0, system.num_sent),
       KOKKOS_LAMBDA(int k) { store_row(out, k, load_row(shares, share(entry(k)))); });
 }
 
-template <class Space>
-void place_remote_shares(const Space& space, const RowSystem& system) {
+void place_remote_shares(const WorkSpace& space, const RowSystem& system) {
   const Array<const int> share = system.share_of_remote;
   const Rows3<const double> remote = system.remote;
   const Rows4<double> shares = system.shares;
-  Kokkos::parallel_for(
-      "contact::remote_shares", RangeOf<Space>(space, 0, system.num_remote),
+  parallel_for(
+      "contact::remote_shares", RangeOf(space, 0, system.num_remote),
       KOKKOS_LAMBDA(int k) { store_row(shares, share(k), load_row(remote, k)); });
 }
 
-template <class Space>
-void sum_coefficients(const Space& space, RowSystem& system) {
+void sum_coefficients(const WorkSpace& space, RowSystem& system) {
   place_remote_shares(space, system);
   const ShareSums sums(system);
   const Rows3<double> sum = system.abs_sum;
-  Kokkos::parallel_for(
-      "contact::sum_coefficients", RangeOf<Space>(space, 0, system.num_places()),
+  parallel_for(
+      "contact::sum_coefficients", RangeOf(space, 0, system.num_places()),
       KOKKOS_LAMBDA(int a) { store_row(sum, a, sums(a)); });
 }
-
-#define PERCUSS_INSTANTIATE(Space)                                                                               \
-  template void collect_touches(const Space&, const ContactSurface&, const CandidateList&, const TouchTable&,    \
-                                const SurfaceNumbers&, Array<RowTouch>&);                                        \
-  template void count_rows(const Space&, const RowInputs&, const RowSources&, RowSystem&);                       \
-  template void start_rows(const Space&, const RowInputs&, const RowSources&, RowSystem&);                       \
-  template void make_rows(const Space&, const RowInputs&, const RowSources&, const ContactHistory&, RowSystem&); \
-  template void share_impulses(const Space&, const RowSystem&);                                                  \
-  template void get_sent_shares(const Space&, const RowSystem&, const Rows3<double>&);                           \
-  template void place_remote_shares(const Space&, const RowSystem&);                                             \
-  template void sum_coefficients(const Space&, RowSystem&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -281,40 +281,32 @@ struct TouchedVelocity {
 
 /// The touches of a check made on the nodes of this rank alone, as rows need them, by (node, face).
 /// face_numbers: [contact faces]; node_numbers: [contact nodes]; touches: out.
-template <class Space>
-void collect_touches(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
+void collect_touches(const WorkSpace& space, const ContactSurface& surface, const CandidateList& candidates,
                      const TouchTable& table, const SurfaceNumbers& numbers, Array<RowTouch>& touches);
 
 /// Counts the rows: RowSystem::num_rows.
-template <class Space>
-void count_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, RowSystem& system);
+void count_rows(const WorkSpace& space, const RowInputs& inputs, const RowSources& sources, RowSystem& system);
 
 /// First part of the set-up, of rows that are counted: numbers the nodes of this rank that rows of any rank touch and
 /// gathers their data. In: num_foreign and remote_node of the system. Foreign places are to be filled then.
-template <class Space>
-void start_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, RowSystem& system);
+void start_rows(const WorkSpace& space, const RowInputs& inputs, const RowSources& sources, RowSystem& system);
 
 /// Makes the rows from touches and walls with their first guess from history, and the entries of all places;
 /// RowSystem::wants but for rows that nothing can move. In: RowSystem::at of all places, num_remote, remote_place,
 /// remote_key.
-template <class Space>
-void make_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, const ContactHistory& history,
-               RowSystem& system);
+void make_rows(const WorkSpace& space, const RowInputs& inputs, const RowSources& sources,
+               const ContactHistory& history, RowSystem& system);
 
 /// Impulse of each entry: RowSystem::shares.
-template <class Space>
-void share_impulses(const Space& space, const RowSystem& system);
+void share_impulses(const WorkSpace& space, const RowSystem& system);
 
 /// Shares of the entries that other ranks want. values: out, [num_sent][3].
-template <class Space>
-void get_sent_shares(const Space& space, const RowSystem& system, const Rows3<double>& values);
+void get_sent_shares(const WorkSpace& space, const RowSystem& system, const Rows3<double>& values);
 
 /// Puts what other ranks' rows add, RowSystem::remote, among the shares.
-template <class Space>
-void place_remote_shares(const Space& space, const RowSystem& system);
+void place_remote_shares(const WorkSpace& space, const RowSystem& system);
 
 /// S of all places: sums of absolute coefficients in the order of keys. In: shares, remote.
-template <class Space>
-void sum_coefficients(const Space& space, RowSystem& system);
+void sum_coefficients(const WorkSpace& space, RowSystem& system);
 
 }  // namespace percuss

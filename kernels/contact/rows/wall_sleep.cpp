@@ -32,12 +32,11 @@ KOKKOS_INLINE_FUNCTION double find_slack(const WallPairs& walls, const Rows3<con
 
 }  // namespace
 
-template <class Space>
-int list_pairs_in_reach(const Space& space, const WallPairs& walls, const Rows3<const double>& x, double reach,
+int list_pairs_in_reach(const WorkSpace& space, const WallPairs& walls, const Rows3<const double>& x, double reach,
                         const Array<int>& list) {
   const WallPairs w = walls;
   const Rows3<const double> places = x;
-  return list_where<Space>(
+  return list_where(
       space, walls.count(), [w, places, reach] KOKKOS_FUNCTION(int p) { return !(find_slack(w, places, p) > reach); },
       list);
 }
@@ -71,11 +70,5 @@ void WallSleep::enter_step(const WallWays& ways, const Rows3<const double>& x, W
   if (!holds) list_again(way, x, walls);
   counts_.looked_at += holds ? walls.num_awake : walls.count();
 }
-
-#define PERCUSS_INSTANTIATE(Space)                                                                     \
-  template int list_pairs_in_reach(const Space&, const WallPairs&, const Rows3<const double>&, double, \
-                                   const Array<int>&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -22,8 +22,7 @@ struct WallCounts {
 };
 
 /// Lists the pairs that can have a row within `reach` of node and wall together [length], at n; returns how many.
-template <class Space>
-int list_pairs_in_reach(const Space& space, const WallPairs& walls, const Rows3<const double>& x, double reach,
+int list_pairs_in_reach(const WorkSpace& space, const WallPairs& walls, const Rows3<const double>& x, double reach,
                         const Array<int>& list);
 
 class WallSleep {

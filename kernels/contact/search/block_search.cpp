@@ -168,13 +168,12 @@ struct BlockWalk {
 };
 
 /// Whether two lists of names are the same.
-template <class Space>
-bool are_equal(const Space& space, const Array<const int>& a, const Array<const int>& b) {
+bool are_equal(const WorkSpace& space, const Array<const int>& a, const Array<const int>& b) {
   if (a.extent(0) != b.extent(0)) return false;
   if (a.data() == b.data()) return true;
   int differ = 0;
-  Kokkos::parallel_reduce(
-      "contact::compare_names", RangeOf<Space>(space, 0, static_cast<int>(a.extent(0))),
+  parallel_reduce(
+      "contact::compare_names", RangeOf(space, 0, static_cast<int>(a.extent(0))),
       KOKKOS_LAMBDA(int i, int& d) { d |= a(i) != b(i) ? 1 : 0; }, Kokkos::BOr<int>(differ));
   return differ == 0;
 }
@@ -235,11 +234,11 @@ bool order_blocks(const PointQuery& query, BlockScratch& scratch) {
 }
 
 /// Brings the boxes of this search into the order of the tree, with what the rule asks of them.
-template <class Space, class Rule>
-void sort_boxes(const Space& space, const BlockWalk<Rule>& walk) {
+template <class Rule>
+void sort_boxes(const WorkSpace& space, const BlockWalk<Rule>& walk) {
   const BlockWalk<Rule> w = walk;
-  Kokkos::parallel_for(
-      "contact::sort_boxes", RangeOf<Space>(space, 0, w.tree.num_boxes), KOKKOS_LAMBDA(int place) {
+  parallel_for(
+      "contact::sort_boxes", RangeOf(space, 0, w.tree.num_boxes), KOKKOS_LAMBDA(int place) {
         constexpr int ahead = 8;  // what lies in the order of the query is asked for before it is needed
         if (place + ahead < w.tree.num_boxes) w.fetch_box(w.tree.order(place + ahead));
         const int i = w.tree.order(place);
@@ -253,26 +252,25 @@ void sort_boxes(const Space& space, const BlockWalk<Rule>& walk) {
 }
 
 /// Walks all blocks, again with more room if the hits do not fit; returns the number of pairs.
-template <class Space, class Rule>
-std::int64_t walk_blocks(const Space& space, BlockWalk<Rule>& walk, int blocks, std::int64_t max_pairs,
+template <class Rule>
+std::int64_t walk_blocks(const WorkSpace& space, BlockWalk<Rule>& walk, int blocks, std::int64_t max_pairs,
                          BlockScratch& scratch) {
   for (;;) {
     walk.chunks = scratch.chunks;
     walk.capacity = static_cast<int>(scratch.chunks.extent(0));
-    Kokkos::deep_copy(space, scratch.num_chunks, 0);
+    fill(space, scratch.num_chunks, 0);
     std::int64_t found = 0;
-    Kokkos::parallel_reduce("contact::block_search", RangeOf<Space>(space, 0, blocks), walk, found);
+    parallel_reduce("contact::block_search", RangeOf(space, 0, blocks), walk, found);
     const int wanted = read_value(space, scratch.num_chunks, 0);
     if (wanted <= walk.capacity || found > max_pairs) return found;
     reserve(scratch.chunks, wanted);
   }
 }
 
-template <class Space>
-double sum_tests(const Space& space, const Array<const int>& tests, int blocks) {
+double sum_tests(const WorkSpace& space, const Array<const int>& tests, int blocks) {
   double sum = 0;  // whole numbers: exact
-  Kokkos::parallel_reduce(
-      "contact::sum_tests", RangeOf<Space>(space, 0, blocks), KOKKOS_LAMBDA(int b, double& s) { s += tests(b); }, sum);
+  parallel_reduce(
+      "contact::sum_tests", RangeOf(space, 0, blocks), KOKKOS_LAMBDA(int b, double& s) { s += tests(b); }, sum);
   return sum;
 }
 
@@ -293,19 +291,18 @@ KOKKOS_INLINE_FUNCTION void sort_distinct(const Array<int>& values, int first, i
 }
 
 /// Turns the chains of hits into lists by point.
-template <class Space, class Rule>
-void list_hits(const Space& space, const BlockWalk<Rule>& walk, int blocks, CandidateList& list) {
+template <class Rule>
+void list_hits(const WorkSpace& space, const BlockWalk<Rule>& walk, int blocks, CandidateList& list) {
   const Array<int> offset = list.offset, face = list.face, count = walk.count;
   const int num_names = walk.query.num_names;
-  Kokkos::parallel_scan(
-      "contact::hit_offsets", RangeOf<Space>(space, 0, num_names + 1),
-      KOKKOS_LAMBDA(int n, int& place, bool final_pass) {
+  parallel_scan(
+      "contact::hit_offsets", RangeOf(space, 0, num_names + 1), KOKKOS_LAMBDA(int n, int& place, bool final_pass) {
         if (final_pass) offset(n) = place;
         if (n < num_names) place += count(n);
       });
   const BlockWalk<Rule> w = walk;
-  Kokkos::parallel_for(
-      "contact::list_hits", RangeOf<Space>(space, 0, blocks), KOKKOS_LAMBDA(int b) {
+  parallel_for(
+      "contact::list_hits", RangeOf(space, 0, blocks), KOKKOS_LAMBDA(int b) {
         const int left = w.num_points - b * block_size, lanes = left < block_size ? left : block_size;
         int name[block_size], next[block_size];
         for (int lane = 0; lane < lanes; ++lane) {
@@ -335,15 +332,14 @@ void identify(const std::vector<std::int64_t>& points, const std::vector<std::in
   take(boxes, scratch.box_order);
 }
 
-template <class Space, class Rule>
-std::int64_t find_hits_by_blocks(const Space& space, const PointQuery& query, const Rule& rule, std::int64_t max_pairs,
-                                 BlockScratch& scratch, CandidateList& list) {
+template <class Rule>
+std::int64_t find_hits_by_blocks(const WorkSpace& space, const PointQuery& query, const Rule& rule,
+                                 std::int64_t max_pairs, BlockScratch& scratch, CandidateList& list) {
   constexpr double wear = 1.5;  // tests after which a new order pays, over those that it begins with
   const int num_points = static_cast<int>(query.point_names.extent(0));
-  const bool is_known = !scratch.is_worn && !scratch.is_other &&
-                        are_equal<Space>(space, query.point_names, scratch.point_names) &&
-                        are_equal<Space>(space, query.points, scratch.point_rows) &&
-                        are_equal<Space>(space, query.box_names, scratch.box_names);
+  const bool is_known =
+      !scratch.is_worn && !scratch.is_other && are_equal(space, query.point_names, scratch.point_names) &&
+      are_equal(space, query.points, scratch.point_rows) && are_equal(space, query.box_names, scratch.box_names);
   const bool goes_on = is_known || order_blocks(query, scratch);
   const int blocks = (num_points + block_size - 1) / block_size;
   reserve(scratch.first_chunk, blocks);
@@ -363,7 +359,7 @@ std::int64_t find_hits_by_blocks(const Space& space, const PointQuery& query, co
   }
   sort_boxes(space, walk);
   refit(space, scratch.tree);
-  Kokkos::deep_copy(space, scratch.count, 0);
+  fill(space, scratch.count, 0);
   const std::int64_t found = walk_blocks(space, walk, blocks, max_pairs, scratch);
   if (found > max_pairs) return found;
   const double tests = sum_tests(space, walk.tests, blocks);
@@ -371,16 +367,13 @@ std::int64_t find_hits_by_blocks(const Space& space, const PointQuery& query, co
   scratch.is_worn = tests > wear * scratch.first_tests;
   list.num_pairs = static_cast<int>(found);
   reserve(list.face, list.num_pairs);
-  list_hits<Space>(space, walk, blocks, list);
+  list_hits(space, walk, blocks, list);
   return found;
 }
 
-#define PERCUSS_INSTANTIATE(Space)                                                                              \
-  template std::int64_t find_hits_by_blocks(const Space&, const PointQuery&, const NodeFaceRule&, std::int64_t, \
-                                            BlockScratch&, CandidateList&);                                     \
-  template std::int64_t find_hits_by_blocks(const Space&, const PointQuery&, const EdgePairRule&, std::int64_t, \
-                                            BlockScratch&, CandidateList&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
+template std::int64_t find_hits_by_blocks(const WorkSpace&, const PointQuery&, const NodeFaceRule&, std::int64_t,
+                                          BlockScratch&, CandidateList&);
+template std::int64_t find_hits_by_blocks(const WorkSpace&, const PointQuery&, const EdgePairRule&, std::int64_t,
+                                          BlockScratch&, CandidateList&);
 
 }  // namespace percuss

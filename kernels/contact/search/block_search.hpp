@@ -59,8 +59,8 @@ struct BlockScratch {
 void identify(const std::vector<std::int64_t>& points, const std::vector<std::int64_t>& boxes, BlockScratch& scratch);
 
 /// find_hits() of pair_search.hpp by blocks.
-template <class Space, class Rule>
-std::int64_t find_hits_by_blocks(const Space& space, const PointQuery& query, const Rule& rule, std::int64_t max_pairs,
-                                 BlockScratch& scratch, CandidateList& list);
+template <class Rule>
+std::int64_t find_hits_by_blocks(const WorkSpace& space, const PointQuery& query, const Rule& rule,
+                                 std::int64_t max_pairs, BlockScratch& scratch, CandidateList& list);
 
 }  // namespace percuss

@@ -20,12 +20,11 @@ void set_order(const std::vector<int>& order, BlockTree& tree) {
   reserve(tree.blocks, total);
 }
 
-template <class Space>
-void refit(const Space& space, const BlockTree& tree) {
+void refit(const WorkSpace& space, const BlockTree& tree) {
   const BlockTree t = tree;
   if (t.num_levels == 0) return;
-  Kokkos::parallel_for(
-      "contact::fit_blocks", RangeOf<Space>(space, 0, t.count[0]), KOKKOS_LAMBDA(int b) {
+  parallel_for(
+      "contact::fit_blocks", RangeOf(space, 0, t.count[0]), KOKKOS_LAMBDA(int b) {
         BoxBlock& block = t.blocks(b);
         for (int lane = 0; lane < block_size; ++lane) {
           const int place = b * block_size + lane;
@@ -34,8 +33,8 @@ void refit(const Space& space, const BlockTree& tree) {
       });
   for (int level = 1; level < t.num_levels; ++level) {
     const int first = t.first[level], below = t.first[level - 1], count = t.count[level - 1];
-    Kokkos::parallel_for(
-        "contact::fit_upper_blocks", RangeOf<Space>(space, 0, t.count[level]), KOKKOS_LAMBDA(int b) {
+    parallel_for(
+        "contact::fit_upper_blocks", RangeOf(space, 0, t.count[level]), KOKKOS_LAMBDA(int b) {
           for (int lane = 0; lane < block_size; ++lane) {
             const int child = b * block_size + lane;
             set_lane(t.blocks(first + b), lane,
@@ -44,9 +43,5 @@ void refit(const Space& space, const BlockTree& tree) {
         });
   }
 }
-
-#define PERCUSS_INSTANTIATE(Space) template void refit(const Space&, const BlockTree&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

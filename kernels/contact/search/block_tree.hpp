@@ -61,8 +61,7 @@ KOKKOS_INLINE_FUNCTION FloatBox make_empty_box() {
 void set_order(const std::vector<int>& order, BlockTree& tree);
 
 /// Fits all blocks to `boxes` of the tree.
-template <class Space>
-void refit(const Space& space, const BlockTree& tree);
+void refit(const WorkSpace& space, const BlockTree& tree);
 
 /// Calls visit(first, mask) for every block of boxes some of which meet `query`: bit i is the box at `first` + i of
 /// BlockTree::boxes.

@@ -12,11 +12,11 @@ KOKKOS_INLINE_FUNCTION FacePoints load_face(const Rows4<const int>& corners, con
 }
 
 /// Largest value(i) of the first `count`; 0 of none.
-template <class Space, class Value>
-double find_largest_value(const char* name, const Space& space, std::size_t count, const Value& value) {
+template <class Value>
+double find_largest_value(const char* name, const WorkSpace& space, std::size_t count, const Value& value) {
   double largest = 0;
-  Kokkos::parallel_reduce(
-      name, RangeOf<Space>(space, 0, static_cast<int>(count)),
+  parallel_reduce(
+      name, RangeOf(space, 0, static_cast<int>(count)),
       KOKKOS_LAMBDA(int i, double& most) { most = larger(most, value(i)); }, Kokkos::Max<double>(largest));
   return larger(largest, 0.0);
 }
@@ -37,16 +37,14 @@ struct Travels {
 
 }  // namespace
 
-template <class Space>
-double find_largest_move(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion) {
+double find_largest_move(const WorkSpace& space, const Array<const int>& nodes, const SurfaceMotion& motion) {
   const SurfaceMotion m = motion;
   const Array<const int> list = nodes;
   return find_largest_value("contact::largest_move", space, list.extent(0),
                             [m, list] KOKKOS_FUNCTION(int n) { return m.dt * max_component(load_row(m.v, list(n))); });
 }
 
-template <class Space>
-double find_largest_travel(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion,
+double find_largest_travel(const WorkSpace& space, const Array<const int>& nodes, const SurfaceMotion& motion,
                            const Rows3<const double>& origin) {
   const Travels travels{nodes, motion, origin};
   return find_largest_value("contact::largest_travel", space, nodes.extent(0), [travels] KOKKOS_FUNCTION(int n) {
@@ -54,8 +52,7 @@ double find_largest_travel(const Space& space, const Array<const int>& nodes, co
   });
 }
 
-template <class Space>
-double find_largest_distance(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion,
+double find_largest_distance(const WorkSpace& space, const Array<const int>& nodes, const SurfaceMotion& motion,
                              const Rows3<const double>& origin) {
   const Travels travels{nodes, motion, origin};
   return std::sqrt(
@@ -64,8 +61,7 @@ double find_largest_distance(const Space& space, const Array<const int>& nodes, 
       }));
 }
 
-template <class Space>
-double find_largest_step(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion) {
+double find_largest_step(const WorkSpace& space, const Array<const int>& nodes, const SurfaceMotion& motion) {
   const SurfaceMotion m = motion;
   const Array<const int> list = nodes;
   return std::sqrt(
@@ -75,19 +71,17 @@ double find_largest_step(const Space& space, const Array<const int>& nodes, cons
       }));
 }
 
-template <class Space>
-void store_places(const Space& space, const Array<const int>& nodes, const Rows3<const double>& x,
+void store_places(const WorkSpace& space, const Array<const int>& nodes, const Rows3<const double>& x,
                   const Rows3<double>& origin) {
   const Array<const int> list = nodes;
   const Rows3<double> out = origin;
   const Rows3<const double> places = x;
-  Kokkos::parallel_for(
-      "contact::store_places", RangeOf<Space>(space, 0, static_cast<int>(list.extent(0))),
+  parallel_for(
+      "contact::store_places", RangeOf(space, 0, static_cast<int>(list.extent(0))),
       KOKKOS_LAMBDA(int n) { store_row(out, n, load_row(places, list(n))); });
 }
 
-template <class Space>
-ExactSum sum_shortest_edges(const Space& space, const Rows4<const int>& corners, const Rows3<const double>& x) {
+ExactSum sum_shortest_edges(const WorkSpace& space, const Rows4<const int>& corners, const Rows3<const double>& x) {
   // Exact, because it sets the width of the boxes, and with it when the next search comes and what it lists.
   const Rows4<const int> list = corners;
   const Rows3<const double> places = x;
@@ -97,34 +91,20 @@ ExactSum sum_shortest_edges(const Space& space, const Rows4<const int>& corners,
   })[0];
 }
 
-template <class Space>
-void bound_faces(const Space& space, const BoundedFaces& faces, const SurfaceMotion& motion, double margin,
+void bound_faces(const WorkSpace& space, const BoundedFaces& faces, const SurfaceMotion& motion, double margin,
                  const Boxes& boxes) {
   const Rows4<const int> list = faces.corners;
   const Array<const double> offset = faces.offset;
   const bool has_offsets = offset.extent(0) > 0;
   const SurfaceMotion m = motion;
   const Boxes out = boxes;
-  Kokkos::parallel_for(
-      "contact::capture_boxes", RangeOf<Space>(space, 0, static_cast<int>(list.extent(0))), KOKKOS_LAMBDA(int face) {
+  parallel_for(
+      "contact::capture_boxes", RangeOf(space, 0, static_cast<int>(list.extent(0))), KOKKOS_LAMBDA(int face) {
         const double wider = has_offsets ? margin + offset(face) : margin;
         const double reach = wider + contact_limits::capture * find_shortest_edge(load_face(list, m.x, face));
         bound_face(
             m, [&](int i) { return list(face, i); }, reach, out, face);
       });
 }
-
-#define PERCUSS_INSTANTIATE(Space)                                                                                     \
-  template double find_largest_move(const Space&, const Array<const int>&, const SurfaceMotion&);                      \
-  template double find_largest_travel(const Space&, const Array<const int>&, const SurfaceMotion&,                     \
-                                      const Rows3<const double>&);                                                     \
-  template double find_largest_distance(const Space&, const Array<const int>&, const SurfaceMotion&,                   \
-                                        const Rows3<const double>&);                                                   \
-  template double find_largest_step(const Space&, const Array<const int>&, const SurfaceMotion&);                      \
-  template void store_places(const Space&, const Array<const int>&, const Rows3<const double>&, const Rows3<double>&); \
-  template ExactSum sum_shortest_edges(const Space&, const Rows4<const int>&, const Rows3<const double>&);             \
-  template void bound_faces(const Space&, const BoundedFaces&, const SurfaceMotion&, double, const Boxes&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -51,32 +51,26 @@ KOKKOS_INLINE_FUNCTION void bound_edge(const Rows2<const int>& ends, const Surfa
 }
 
 /// Largest component of the displacement of any of `nodes` (mesh nodes) in the step.
-template <class Space>
-double find_largest_move(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion);
+double find_largest_move(const WorkSpace& space, const Array<const int>& nodes, const SurfaceMotion& motion);
 
 /// Largest component by which any of `nodes` is, at n or at its predicted place, away from its place `origin`
 /// [nodes][3].
-template <class Space>
-double find_largest_travel(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion,
+double find_largest_travel(const WorkSpace& space, const Array<const int>& nodes, const SurfaceMotion& motion,
                            const Rows3<const double>& origin);
 
 /// The same with distances in place of their largest components; in between, in the step, no node is farther away.
-template <class Space>
-double find_largest_distance(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion,
+double find_largest_distance(const WorkSpace& space, const Array<const int>& nodes, const SurfaceMotion& motion,
                              const Rows3<const double>& origin);
 
 /// The largest distance that a node goes in the step.
-template <class Space>
-double find_largest_step(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion);
+double find_largest_step(const WorkSpace& space, const Array<const int>& nodes, const SurfaceMotion& motion);
 
 /// Stores the places of the nodes: origin [nodes][3].
-template <class Space>
-void store_places(const Space& space, const Array<const int>& nodes, const Rows3<const double>& x,
+void store_places(const WorkSpace& space, const Array<const int>& nodes, const Rows3<const double>& x,
                   const Rows3<double>& origin);
 
 /// Sum of the shortest edges of faces. corners: [faces][4] mesh nodes.
-template <class Space>
-ExactSum sum_shortest_edges(const Space& space, const Rows4<const int>& corners, const Rows3<const double>& x);
+ExactSum sum_shortest_edges(const WorkSpace& space, const Rows4<const int>& corners, const Rows3<const double>& x);
 
 /// Faces whose boxes are wanted.
 struct BoundedFaces {
@@ -85,8 +79,7 @@ struct BoundedFaces {
 };
 
 /// Box of each face, widened by `margin` and the reach of the check. boxes: out, [faces].
-template <class Space>
-void bound_faces(const Space& space, const BoundedFaces& faces, const SurfaceMotion& motion, double margin,
+void bound_faces(const WorkSpace& space, const BoundedFaces& faces, const SurfaceMotion& motion, double margin,
                  const Boxes& boxes);
 
 }  // namespace percuss

@@ -43,32 +43,30 @@ struct PairFilter {
   }
 };
 
-template <class Space>
-void list_paired_edges(const Space& space, int num_edges, EdgeSearchScratch& scratch, EdgePairs& pairs) {
+void list_paired_edges(const WorkSpace& space, int num_edges, EdgeSearchScratch& scratch, EdgePairs& pairs) {
   reserve(scratch.mark, num_edges);
   reserve(pairs.edges, num_edges);
   const Array<int> mark = scratch.mark, a = pairs.a, b = pairs.b;
-  Kokkos::parallel_for(
-      "contact::clear_edge_marks", RangeOf<Space>(space, 0, num_edges), KOKKOS_LAMBDA(int e) { mark(e) = 0; });
-  Kokkos::parallel_for(
-      "contact::mark_edges", RangeOf<Space>(space, 0, pairs.num_pairs), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::clear_edge_marks", RangeOf(space, 0, num_edges), KOKKOS_LAMBDA(int e) { mark(e) = 0; });
+  parallel_for(
+      "contact::mark_edges", RangeOf(space, 0, pairs.num_pairs), KOKKOS_LAMBDA(int i) {
         Kokkos::atomic_fetch_or(&mark(a(i)), 1);
         Kokkos::atomic_fetch_or(&mark(b(i)), 1);
       });
-  pairs.num_edges = list_where<Space>(
+  pairs.num_edges = list_where(
       space, num_edges, [mark] KOKKOS_FUNCTION(int e) { return mark(e) != 0; }, pairs.edges);
 }
 
 }  // namespace
 
-template <class Space>
-Point3 find_half_piece(const Space& space, const EdgePoints& points, const Rows3<const double>& x) {
+Point3 find_half_piece(const WorkSpace& space, const EdgePoints& points, const Rows3<const double>& x) {
   const EdgePoints p = points;
   const Rows3<const double> places = x;
   double half[3] = {0, 0, 0};
   for (int axis = 0; axis < 3; ++axis) {
-    Kokkos::parallel_reduce(
-        "contact::half_piece", RangeOf<Space>(space, 0, static_cast<int>(p.ends.extent(0))),
+    parallel_reduce(
+        "contact::half_piece", RangeOf(space, 0, static_cast<int>(p.ends.extent(0))),
         KOKKOS_LAMBDA(int e, double& most) {
           const double piece = 0.5 * find_extent(p.ends, places, e, axis) / p.pieces(e);
           most = piece > most ? piece : most;
@@ -79,36 +77,33 @@ Point3 find_half_piece(const Space& space, const EdgePoints& points, const Rows3
   return {positive(half[0]), positive(half[1]), positive(half[2])};
 }
 
-template <class Space>
-void place_edge_points(const Space& space, const EdgePoints& points, const Rows3<const double>& x,
+void place_edge_points(const WorkSpace& space, const EdgePoints& points, const Rows3<const double>& x,
                        const Rows3<double>& places) {
   const EdgePoints p = points;
   const Rows3<const double> ends = x;
   const Rows3<double> out = places;
-  Kokkos::parallel_for(
-      "contact::edge_points", RangeOf<Space>(space, 0, static_cast<int>(p.ends.extent(0))), KOKKOS_LAMBDA(int e) {
+  parallel_for(
+      "contact::edge_points", RangeOf(space, 0, static_cast<int>(p.ends.extent(0))), KOKKOS_LAMBDA(int e) {
         const Point3 first = load_row(ends, p.ends(e, 0)), along = load_row(ends, p.ends(e, 1)) - first;
         for (int k = 0; k < p.pieces(e); ++k)
           store_row(out, p.first_point(e) + k, first + ((k + 0.5) / p.pieces(e)) * along);
       });
 }
 
-template <class Space>
-void bound_edges(const Space& space, const Rows2<const int>& ends, const SurfaceMotion& motion, const Point3& margin,
-                 const Boxes& boxes) {
+void bound_edges(const WorkSpace& space, const Rows2<const int>& ends, const SurfaceMotion& motion,
+                 const Point3& margin, const Boxes& boxes) {
   const Rows2<const int> list = ends;
   const SurfaceMotion m = motion;
   const Boxes out = boxes;
   const Point3 wider = margin;
-  Kokkos::parallel_for(
-      "contact::edge_boxes", RangeOf<Space>(space, 0, static_cast<int>(list.extent(0))), KOKKOS_LAMBDA(int e) {
+  parallel_for(
+      "contact::edge_boxes", RangeOf(space, 0, static_cast<int>(list.extent(0))), KOKKOS_LAMBDA(int e) {
         const double reach = find_edge_reach(list, m.x, e);
         bound_edge(list, m, e, wider + Point3{reach, reach, reach}, out);
       });
 }
 
-template <class Space>
-std::int64_t find_edge_pairs(const Space& space, const EdgeSurface& surface, const EdgeQuery& query,
+std::int64_t find_edge_pairs(const WorkSpace& space, const EdgeSurface& surface, const EdgeQuery& query,
                              std::int64_t max_pairs, EdgeSearchScratch& scratch, EdgePairs& pairs) {
   ++pairs.list;
   pairs.num_pairs = 0;
@@ -125,13 +120,13 @@ std::int64_t find_edge_pairs(const Space& space, const EdgeSurface& surface, con
   reserve(scratch.kept, num_edges);
   const Array<int> first = scratch.first, kept = scratch.kept, hit = scratch.hits.face;
   const Array<const int> offset = scratch.hits.offset, first_point = points.first_point;
-  Kokkos::parallel_for(
-      "contact::keep_edge_pairs", RangeOf<Space>(space, 0, num_edges), KOKKOS_LAMBDA(int e) {
+  parallel_for(
+      "contact::keep_edge_pairs", RangeOf(space, 0, num_edges), KOKKOS_LAMBDA(int e) {
         const int from = offset(first_point(e));
         kept(e) = filter.keep(e, from, offset(first_point(e + 1)), hit) - from;
       });
-  Kokkos::parallel_scan(
-      "contact::count_edge_pairs", RangeOf<Space>(space, 0, num_edges),
+  parallel_scan(
+      "contact::count_edge_pairs", RangeOf(space, 0, num_edges),
       KOKKOS_LAMBDA(int e, int& place, bool final_pass) {
         if (final_pass) first(e) = place;
         place += kept(e);
@@ -140,8 +135,8 @@ std::int64_t find_edge_pairs(const Space& space, const EdgeSurface& surface, con
   reserve(pairs.a, pairs.num_pairs);
   reserve(pairs.b, pairs.num_pairs);
   const Array<int> a = pairs.a, b = pairs.b;
-  Kokkos::parallel_for(
-      "contact::list_edge_pairs", RangeOf<Space>(space, 0, num_edges), KOKKOS_LAMBDA(int e) {
+  parallel_for(
+      "contact::list_edge_pairs", RangeOf(space, 0, num_edges), KOKKOS_LAMBDA(int e) {
         for (int i = 0; i < kept(e); ++i) {
           a(first(e) + i) = e;
           b(first(e) + i) = hit(offset(first_point(e)) + i);
@@ -150,14 +145,5 @@ std::int64_t find_edge_pairs(const Space& space, const EdgeSurface& surface, con
   list_paired_edges(space, num_edges, scratch, pairs);
   return hits;
 }
-
-#define PERCUSS_INSTANTIATE(Space)                                                                                     \
-  template Point3 find_half_piece(const Space&, const EdgePoints&, const Rows3<const double>&);                        \
-  template void place_edge_points(const Space&, const EdgePoints&, const Rows3<const double>&, const Rows3<double>&);  \
-  template void bound_edges(const Space&, const Rows2<const int>&, const SurfaceMotion&, const Point3&, const Boxes&); \
-  template std::int64_t find_edge_pairs(const Space&, const EdgeSurface&, const EdgeQuery&, std::int64_t,              \
-                                        EdgeSearchScratch&, EdgePairs&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -25,12 +25,10 @@ struct EdgePointNames {
 };
 
 /// Largest extent of a piece along each axis, halved: no place on an edge is farther from one of its points.
-template <class Space>
-Point3 find_half_piece(const Space& space, const EdgePoints& points, const Rows3<const double>& x);
+Point3 find_half_piece(const WorkSpace& space, const EdgePoints& points, const Rows3<const double>& x);
 
 /// Places of the points: out, [num_points][3].
-template <class Space>
-void place_edge_points(const Space& space, const EdgePoints& points, const Rows3<const double>& x,
+void place_edge_points(const WorkSpace& space, const EdgePoints& points, const Rows3<const double>& x,
                        const Rows3<double>& places);
 
 /// How far beyond an edge its capture box reaches besides the reach of the check: half a piece, the margin of the
@@ -47,9 +45,8 @@ KOKKOS_INLINE_FUNCTION Point3 find_edge_slack(const Point3& half_piece, double m
 }
 
 /// Capture box of each edge. ends: [edges][2] rows of the motion; boxes: out, [edges].
-template <class Space>
-void bound_edges(const Space& space, const Rows2<const int>& ends, const SurfaceMotion& motion, const Point3& margin,
-                 const Boxes& boxes);
+void bound_edges(const WorkSpace& space, const Rows2<const int>& ends, const SurfaceMotion& motion,
+                 const Point3& margin, const Boxes& boxes);
 
 /// Memory of the search for edge pairs, kept between searches.
 struct EdgeSearchScratch {
@@ -72,8 +69,7 @@ struct EdgeQuery {
 /// Finds all pairs (a, b), a before b in number, for which a point of a lies in the box of b and a meets that box
 /// without its slack. Returns the number of hits of points in boxes; if that is above max_pairs, no pairs are filled
 /// in.
-template <class Space>
-std::int64_t find_edge_pairs(const Space& space, const EdgeSurface& surface, const EdgeQuery& query,
+std::int64_t find_edge_pairs(const WorkSpace& space, const EdgeSurface& surface, const EdgeQuery& query,
                              std::int64_t max_pairs, EdgeSearchScratch& scratch, EdgePairs& pairs);
 
 }  // namespace percuss

@@ -152,16 +152,15 @@ KOKKOS_INLINE_FUNCTION void link_histories(const ContactSurface& surface, const 
 namespace {
 
 /// Stores the faces of the candidate pairs as nodes see them.
-template <class Space>
-void store_face_slabs(const Space& space, const CheckInputs& inputs, const CandidateList& all, double travel,
+void store_face_slabs(const WorkSpace& space, const CheckInputs& inputs, const CandidateList& all, double travel,
                       const Rows4<double>& slabs) {
   const ContactSurface s = inputs.surface;
   const Rows3<const double> places = inputs.motion.x;
   const Array<const double> size = inputs.faces.size;
   const Array<const int> list = all.faces, is_candidate = all.is_candidate;
   const int num_faces = all.num_faces;
-  Kokkos::parallel_for(
-      "contact::find_slabs", RangeOf<Space>(space, 0, ListedFaces::count_packs(num_faces)), KOKKOS_LAMBDA(int pack) {
+  parallel_for(
+      "contact::find_slabs", RangeOf(space, 0, ListedFaces::count_packs(num_faces)), KOKKOS_LAMBDA(int pack) {
         const ListedFaces listed(s, list, is_candidate, pack, num_faces);
         if (!listed.any_candidate) return;
         int stored[ListedFaces::lanes];
@@ -176,8 +175,7 @@ void store_face_slabs(const Space& space, const CheckInputs& inputs, const Candi
 }
 
 /// Finds how near each pair is. count: out, [contact nodes] pairs that are to be listed; nearness: out, [pairs].
-template <class Space>
-void measure_nearness(const Space& space, const CheckInputs& inputs, const CandidateList& all, double travel,
+void measure_nearness(const WorkSpace& space, const CheckInputs& inputs, const CandidateList& all, double travel,
                       const NearScratch& scratch) {
   const ContactSurface s = inputs.surface;
   const Rows3<const double> places = inputs.motion.x;
@@ -185,8 +183,8 @@ void measure_nearness(const Space& space, const CheckInputs& inputs, const Candi
   const Array<int> count = scratch.count, nearness = scratch.nearness;
   const Rows4<double> slabs = scratch.slabs;
   const double approach = approach_in_travel * travel;
-  Kokkos::parallel_for(
-      "contact::find_near_pairs", RangeOf<Space>(space, 0, s.num_nodes), KOKKOS_LAMBDA(int node) {
+  parallel_for(
+      "contact::find_near_pairs", RangeOf(space, 0, s.num_nodes), KOKKOS_LAMBDA(int node) {
         const int first = offset(node), last = offset(node + 1);
         count(node) = 0;
         if (first == last) return;
@@ -214,16 +212,15 @@ void measure_nearness(const Space& space, const CheckInputs& inputs, const Candi
 }
 
 /// Lists the pairs that are near, at the offsets of `near`.
-template <class Space>
-void fill_near_list(const Space& space, const ContactSurface& surface, const CandidateList& all,
+void fill_near_list(const WorkSpace& space, const ContactSurface& surface, const CandidateList& all,
                     const Array<const int>& nearness, CandidateList& near) {
   const bool has_thickness = surface.offsets.largest > 0;
   reserve(near.face, near.num_pairs);
   if (has_thickness) reserve(near.with_history, near.num_pairs);
   const Array<const int> offset = all.offset, face = all.face, near_offset = near.offset, measured = nearness;
   const Array<int> near_face = near.face, flag = near.with_history;
-  Kokkos::parallel_for(
-      "contact::list_near_pairs", RangeOf<Space>(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int node) {
+  parallel_for(
+      "contact::list_near_pairs", RangeOf(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int node) {
         int place = near_offset(node);
         for (int c = offset(node); c < offset(node + 1); ++c) {
           if (measured(c) < with_history) continue;
@@ -235,9 +232,8 @@ void fill_near_list(const Space& space, const ContactSurface& surface, const Can
 
 }  // namespace
 
-template <class Space>
-bool list_near_pairs(const Space& space, const CheckInputs& inputs, const CandidateList& all, const NearLimits& limits,
-                     NearScratch& scratch, CandidateList& near) {
+bool list_near_pairs(const WorkSpace& space, const CheckInputs& inputs, const CandidateList& all,
+                     const NearLimits& limits, NearScratch& scratch, CandidateList& near) {
   const ContactSurface& surface = inputs.surface;
   const int num_nodes = surface.num_nodes;
   reserve(scratch.count, num_nodes);
@@ -248,8 +244,8 @@ bool list_near_pairs(const Space& space, const CheckInputs& inputs, const Candid
   measure_nearness(space, inputs, all, limits.travel, scratch);
   const Array<const int> count = scratch.count;
   const Array<int> near_offset = near.offset;
-  Kokkos::parallel_scan(
-      "contact::near_offset", RangeOf<Space>(space, 0, num_nodes + 1),
+  parallel_scan(
+      "contact::near_offset", RangeOf(space, 0, num_nodes + 1),
       KOKKOS_LAMBDA(int n, int& place, bool final_pass) {
         if (final_pass) near_offset(n) = place;
         if (n < num_nodes) place += count(n);
@@ -260,11 +256,5 @@ bool list_near_pairs(const Space& space, const CheckInputs& inputs, const Candid
   list_concerned(space, surface, scratch.concerned, near);
   return true;
 }
-
-#define PERCUSS_INSTANTIATE(Space)                                                                         \
-  template bool list_near_pairs(const Space&, const CheckInputs&, const CandidateList&, const NearLimits&, \
-                                NearScratch&, CandidateList&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

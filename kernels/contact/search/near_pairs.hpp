@@ -28,8 +28,7 @@ struct NearLimits {
 /// from its place at n, and with those of a node and a face that pushed it in the last step, whose place the check asks
 /// for. Where thickness lets nodes with a history be deeper, pairs that come near in no other way are marked. Returns
 /// whether there are at most `most_pairs`; otherwise they are not listed. inputs.faces: of update_faces() for `all`.
-template <class Space>
-bool list_near_pairs(const Space& space, const CheckInputs& inputs, const CandidateList& all, const NearLimits& limits,
-                     NearScratch& scratch, CandidateList& near);
+bool list_near_pairs(const WorkSpace& space, const CheckInputs& inputs, const CandidateList& all,
+                     const NearLimits& limits, NearScratch& scratch, CandidateList& near);
 
 }  // namespace percuss

@@ -27,8 +27,8 @@ struct SearchScratch {
 
 /// Finds all pairs of a point and a box that holds it and is not ruled out; as find_candidate_pairs(). Rule:
 /// NodeFaceRule or EdgePairRule, called with both names.
-template <class Space, class Rule>
-std::int64_t find_hits(const Space& space, const PointQuery& query, const Rule& rule, std::int64_t max_pairs,
+template <class Rule>
+std::int64_t find_hits(const WorkSpace& space, const PointQuery& query, const Rule& rule, std::int64_t max_pairs,
                        SearchScratch& scratch, CandidateList& list);
 
 /// Where nodes and faces are searched.
@@ -40,13 +40,12 @@ struct SearchedPlaces {
 /// Finds all pairs of a searched node and a searched face whose box holds the node, that may touch (pair table) and do
 /// not share an element. Fills offset, face, num_pairs of the list and returns the number of pairs; if that is above
 /// max_pairs the list is not filled.
-template <class Space>
-std::int64_t find_candidate_pairs(const Space& space, const ContactSurface& surface, const SearchedPlaces& places,
+std::int64_t find_candidate_pairs(const WorkSpace& space, const ContactSurface& surface, const SearchedPlaces& places,
                                   std::int64_t max_pairs, SearchScratch& scratch, CandidateList& list);
 
 /// Lists the nodes that have candidates and the faces that their check reads: candidates, the faces around these and
 /// the nodes' own faces.
-template <class Space>
-void list_concerned(const Space& space, const ContactSurface& surface, ConcernedScratch& scratch, CandidateList& list);
+void list_concerned(const WorkSpace& space, const ContactSurface& surface, ConcernedScratch& scratch,
+                    CandidateList& list);
 
 }  // namespace percuss

@@ -19,29 +19,26 @@ struct Blocks {
   KOKKOS_INLINE_FUNCTION int begin(int b) const { return static_cast<int>(static_cast<std::int64_t>(n) * b / count); }
 };
 
-template <class Space>
-Blocks cut_blocks(int n) {
+Blocks cut_blocks(const WorkSpace& space, int n) {
   constexpr int smallest = 2048;
-  const int threads = Space().concurrency();
+  const int threads = space.concurrency();
   const int wanted = n / smallest < threads ? n / smallest : threads;
   return {n, wanted > 0 ? wanted : 1};
 }
 
 /// Bits in which any key differs from the first.
-template <class Space>
-std::uint64_t find_varying_bits(const Space& space, const Array<std::uint64_t>& keys, int n) {
+std::uint64_t find_varying_bits(const WorkSpace& space, const Array<std::uint64_t>& keys, int n) {
   std::uint64_t varying = 0;
-  Kokkos::parallel_reduce(
-      "contact::sort_varying", RangeOf<Space>(space, 0, n),
+  parallel_reduce(
+      "contact::sort_varying", RangeOf(space, 0, n),
       KOKKOS_LAMBDA(int i, std::uint64_t& bits) { bits |= keys(i) ^ keys(0); }, Kokkos::BOr<std::uint64_t>(varying));
   return varying;
 }
 
 /// Turns counts by (block, bin) into first places, bins before blocks.
-template <class Space>
-void scan_histogram(const Space& space, const Array<int>& histogram, int blocks) {
-  Kokkos::parallel_for(
-      "contact::sort_scan", RangeOf<Space>(space, 0, 1), KOKKOS_LAMBDA(int) {
+void scan_histogram(const WorkSpace& space, const Array<int>& histogram, int blocks) {
+  parallel_for(
+      "contact::sort_scan", RangeOf(space, 0, 1), KOKKOS_LAMBDA(int) {
         int place = 0;
         for (int bin = 0; bin < num_bins; ++bin)
           for (int b = 0; b < blocks; ++b) {
@@ -58,18 +55,17 @@ struct Stream {
 };
 
 /// One stable pass over a digit.
-template <class Space>
-void sort_digit(const Space& space, const Blocks& blocks, int digit, const Stream& from, const Stream& to,
+void sort_digit(const WorkSpace& space, const Blocks& blocks, int digit, const Stream& from, const Stream& to,
                 const Array<int>& histogram) {
-  Kokkos::parallel_for(
-      "contact::sort_count", RangeOf<Space>(space, 0, blocks.count), KOKKOS_LAMBDA(int b) {
+  parallel_for(
+      "contact::sort_count", RangeOf(space, 0, blocks.count), KOKKOS_LAMBDA(int b) {
         for (int bin = 0; bin < num_bins; ++bin) histogram(b * num_bins + bin) = 0;
         for (int i = blocks.begin(b); i < blocks.begin(b + 1); ++i)
           ++histogram(b * num_bins + find_bin(from.keys(i), digit));
       });
   scan_histogram(space, histogram, blocks.count);
-  Kokkos::parallel_for(
-      "contact::sort_scatter", RangeOf<Space>(space, 0, blocks.count), KOKKOS_LAMBDA(int b) {
+  parallel_for(
+      "contact::sort_scatter", RangeOf(space, 0, blocks.count), KOKKOS_LAMBDA(int b) {
         for (int i = blocks.begin(b); i < blocks.begin(b + 1); ++i) {
           const int place = histogram(b * num_bins + find_bin(from.keys(i), digit))++;
           to.keys(place) = from.keys(i);
@@ -80,11 +76,10 @@ void sort_digit(const Space& space, const Blocks& blocks, int digit, const Strea
 
 }  // namespace
 
-template <class Space>
-void rank_points(const Space& space, const PointsAlongAxis& points, SortScratch& scratch, const Array<int>& order,
+void rank_points(const WorkSpace& space, const PointsAlongAxis& points, SortScratch& scratch, const Array<int>& order,
                  const Array<int>& rank) {
   const int n = points.n;
-  const Blocks blocks = cut_blocks<Space>(n);
+  const Blocks blocks = cut_blocks(space, n);
   reserve(scratch.keys[0], n);
   reserve(scratch.keys[1], n);
   reserve(scratch.items, n);
@@ -92,8 +87,8 @@ void rank_points(const Space& space, const PointsAlongAxis& points, SortScratch&
   Stream from{scratch.keys[0], order}, to{scratch.keys[1], scratch.items};
   const Array<std::uint64_t> keys = from.keys;
   const PointsAlongAxis p = points;
-  Kokkos::parallel_for(
-      "contact::sort_keys", RangeOf<Space>(space, 0, n), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::sort_keys", RangeOf(space, 0, n), KOKKOS_LAMBDA(int i) {
         keys(i) = make_sort_key(p.x(p.points(i), p.axis));
         order(i) = i;
       });
@@ -104,16 +99,11 @@ void rank_points(const Space& space, const PointsAlongAxis& points, SortScratch&
     std::swap(from, to);
   }
   const Array<int> sorted = from.items;
-  Kokkos::parallel_for(
-      "contact::sort_ranks", RangeOf<Space>(space, 0, n), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::sort_ranks", RangeOf(space, 0, n), KOKKOS_LAMBDA(int i) {
         order(i) = sorted(i);  // the same memory after an even number of passes
         rank(sorted(i)) = i;
       });
 }
-
-#define PERCUSS_INSTANTIATE(Space) \
-  template void rank_points(const Space&, const PointsAlongAxis&, SortScratch&, const Array<int>&, const Array<int>&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

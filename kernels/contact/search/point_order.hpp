@@ -23,8 +23,7 @@ struct PointsAlongAxis {
 
 /// Sorts the points by (coordinate along the axis, place in the list). order: out, [n] places in `points`, ascending in
 /// the coordinate; rank: out, [n] place of each point in `order`.
-template <class Space>
-void rank_points(const Space& space, const PointsAlongAxis& points, SortScratch& scratch, const Array<int>& order,
+void rank_points(const WorkSpace& space, const PointsAlongAxis& points, SortScratch& scratch, const Array<int>& order,
                  const Array<int>& rank);
 
 }  // namespace percuss

@@ -85,8 +85,7 @@ struct BoxWalk {
   }
 };
 
-template <class Space>
-RankLists rank_all(const Space& space, const PointQuery& query, RankedListScratch& scratch) {
+RankLists rank_all(const WorkSpace& space, const PointQuery& query, RankedListScratch& scratch) {
   RankLists lists;
   lists.x = query.x;
   lists.points = query.points;
@@ -94,8 +93,7 @@ RankLists rank_all(const Space& space, const PointQuery& query, RankedListScratc
   for (int axis = 0; axis < 3; ++axis) {
     reserve(scratch.order[axis], lists.n);
     reserve(scratch.rank[axis], lists.n);
-    rank_points<Space>(space, {query.x, query.points, lists.n, axis}, scratch.sort, scratch.order[axis],
-                       scratch.rank[axis]);
+    rank_points(space, {query.x, query.points, lists.n, axis}, scratch.sort, scratch.order[axis], scratch.rank[axis]);
     lists.order[axis] = scratch.order[axis];
     lists.rank[axis] = scratch.rank[axis];
   }
@@ -103,16 +101,16 @@ RankLists rank_all(const Space& space, const PointQuery& query, RankedListScratc
 }
 
 /// Walks all boxes, again with more room if the hits do not fit; returns their number.
-template <class Space, class Rule>
-std::int64_t collect_hits(const Space& space, const PointQuery& query, const Rule& rule, const RankLists& lists,
+template <class Rule>
+std::int64_t collect_hits(const WorkSpace& space, const PointQuery& query, const Rule& rule, const RankLists& lists,
                           std::int64_t max_pairs, RankedListScratch& scratch) {
   const int num_boxes = static_cast<int>(query.box_names.extent(0));
   const Array<std::int64_t> total = scratch.total;
   for (;;) {
     HitList hits{scratch.hit_node, scratch.hit_face, total, static_cast<int>(scratch.hit_node.extent(0))};
-    Kokkos::deep_copy(space, total, std::int64_t{0});
-    Kokkos::parallel_for("contact::points_in_box", RangeOf<Space>(space, 0, num_boxes),
-                         BoxWalk<Rule>{rule, query.point_names, query.box_names, lists, query.boxes, hits});
+    fill(space, total, std::int64_t{0});
+    parallel_for("contact::points_in_box", RangeOf(space, 0, num_boxes),
+                 BoxWalk<Rule>{rule, query.point_names, query.box_names, lists, query.boxes, hits});
     const std::int64_t found = read_value(space, total, 0);
     if (found <= hits.capacity || found > max_pairs) return found;
     reserve(scratch.hit_node, static_cast<int>(found));
@@ -122,8 +120,8 @@ std::int64_t collect_hits(const Space& space, const PointQuery& query, const Rul
 
 }  // namespace
 
-template <class Space, class Rule>
-std::int64_t find_hits_by_points_in_box(const Space& space, const PointQuery& query, const Rule& rule,
+template <class Rule>
+std::int64_t find_hits_by_points_in_box(const WorkSpace& space, const PointQuery& query, const Rule& rule,
                                         std::int64_t max_pairs, RankedListScratch& scratch, CandidateList& list) {
   const RankLists lists = rank_all(space, query, scratch);
   const std::int64_t found = collect_hits(space, query, rule, lists, max_pairs, scratch);
@@ -132,17 +130,14 @@ std::int64_t find_hits_by_points_in_box(const Space& space, const PointQuery& qu
   reserve(list.offset, query.num_names + 1);
   reserve(list.face, list.num_pairs);
   reserve(scratch.count, query.num_names);
-  group_by_key<Space>(space, {list.num_pairs, scratch.hit_node, scratch.hit_face, query.num_names},
-                      {scratch.count, list.offset, list.face});
+  group_by_key(space, {list.num_pairs, scratch.hit_node, scratch.hit_face, query.num_names},
+               {scratch.count, list.offset, list.face});
   return found;
 }
 
-#define PERCUSS_INSTANTIATE(Space)                                                                                     \
-  template std::int64_t find_hits_by_points_in_box(const Space&, const PointQuery&, const NodeFaceRule&, std::int64_t, \
-                                                   RankedListScratch&, CandidateList&);                                \
-  template std::int64_t find_hits_by_points_in_box(const Space&, const PointQuery&, const EdgePairRule&, std::int64_t, \
-                                                   RankedListScratch&, CandidateList&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
+template std::int64_t find_hits_by_points_in_box(const WorkSpace&, const PointQuery&, const NodeFaceRule&, std::int64_t,
+                                                 RankedListScratch&, CandidateList&);
+template std::int64_t find_hits_by_points_in_box(const WorkSpace&, const PointQuery&, const EdgePairRule&, std::int64_t,
+                                                 RankedListScratch&, CandidateList&);
 
 }  // namespace percuss

@@ -24,8 +24,8 @@ struct RankedListScratch {
 };
 
 /// find_hits() of pair_search.hpp by ranked lists.
-template <class Space, class Rule>
-std::int64_t find_hits_by_points_in_box(const Space& space, const PointQuery& query, const Rule& rule,
+template <class Rule>
+std::int64_t find_hits_by_points_in_box(const WorkSpace& space, const PointQuery& query, const Rule& rule,
                                         std::int64_t max_pairs, RankedListScratch& scratch, CandidateList& list);
 
 }  // namespace percuss

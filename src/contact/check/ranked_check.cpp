@@ -27,27 +27,27 @@ struct HistoryItem {
 };
 
 /// Messages of what these contact nodes of the share remember.
-template <class Space>
-void pack_history(const Space& space, const Array<const int>& nodes, const Array<const std::int64_t>& remembered,
+void pack_history(const WorkSpace& space, const Array<const int>& nodes, const Array<const std::int64_t>& remembered,
                   const Array<HistoryItem>& send) {
   const Array<const int> of = nodes;
   const Array<const std::int64_t> from = remembered;
   const Array<HistoryItem> out = send;
-  Kokkos::parallel_for(
-      "contact::pack_history", RangeOf<Space>(space, 0, static_cast<int>(of.extent(0))), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::pack_history", RangeOf(space, 0, static_cast<int>(of.extent(0))), KOKKOS_LAMBDA(int i) {
         for (int slot = 0; slot < max_touches; ++slot) out(i).face[slot] = from(max_touches * of(i) + slot);
       });
 }
 
 /// Which of the faces here nodes remember: faces is out, [3 nodes], of the nodes in rows. remembered(i, slot): number.
-template <class Space, class Remembered>
-void find_remembered_faces(const Space& space, const Array<const int>& rows, const Array<const std::int64_t>& numbers,
-                           const Remembered& remembered, const Array<int>& faces) {
+template <class Remembered>
+void find_remembered_faces(const WorkSpace& space, const Array<const int>& rows,
+                           const Array<const std::int64_t>& numbers, const Remembered& remembered,
+                           const Array<int>& faces) {
   const Array<const int> to = rows;
   const Array<const std::int64_t> of_faces = numbers;
   const Array<int> out = faces;
-  Kokkos::parallel_for(
-      "contact::find_remembered_faces", RangeOf<Space>(space, 0, static_cast<int>(to.extent(0))), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::find_remembered_faces", RangeOf(space, 0, static_cast<int>(to.extent(0))), KOKKOS_LAMBDA(int i) {
         for (int slot = 0; slot < max_touches; ++slot) {
           int& face = out(max_touches * to(i) + slot);
           face = find_remembered_face(of_faces, remembered(i, slot), face);
@@ -69,18 +69,17 @@ struct SentMemory {
 };
 
 /// Marks the nodes whose motion the check of a list of pairs reads. is_wanted: out, [nodes].
-template <class Space>
-void mark_read_nodes(const Space& space, const ContactSurface& surface, const CandidateList& pairs,
+void mark_read_nodes(const WorkSpace& space, const ContactSurface& surface, const CandidateList& pairs,
                      const Array<int>& is_wanted) {
   const ContactSurface s = surface;
   const Array<const int> faces = pairs.faces, is_candidate = pairs.is_candidate, nodes = pairs.nodes;
-  Kokkos::parallel_for(
-      "contact::clear_wanted", RangeOf<Space>(space, 0, s.num_nodes), KOKKOS_LAMBDA(int n) { is_wanted(n) = 0; });
-  Kokkos::parallel_for(
-      "contact::want_nodes", RangeOf<Space>(space, 0, pairs.num_nodes),
+  parallel_for(
+      "contact::clear_wanted", RangeOf(space, 0, s.num_nodes), KOKKOS_LAMBDA(int n) { is_wanted(n) = 0; });
+  parallel_for(
+      "contact::want_nodes", RangeOf(space, 0, pairs.num_nodes),
       KOKKOS_LAMBDA(int i) { Kokkos::atomic_fetch_or(&is_wanted(nodes(i)), 1); });
-  Kokkos::parallel_for(
-      "contact::want_corners", RangeOf<Space>(space, 0, pairs.num_faces), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::want_corners", RangeOf(space, 0, pairs.num_faces), KOKKOS_LAMBDA(int i) {
         const int f = faces(i);
         for (int c = 0; c < 4; ++c) {
           Kokkos::atomic_fetch_or(&is_wanted(s.face_corners(f, c)), 1);

@@ -136,8 +136,7 @@ void ContactForces::lay_out(const std::vector<std::uint32_t>& one) {
             Rows4<double>("contact::books", static_cast<std::size_t>(next))};
 }
 
-template <class Space>
-void ContactForces::book(const Space& space, const SolvedRows& solved) {
+void ContactForces::book(const WorkSpace& space, const SolvedRows& solved) {
   if (is_empty()) return;
   const RowSystem& system = solved.system;
   Array<const RowSurfaces> surfaces;
@@ -207,9 +206,5 @@ std::vector<ContactImpulse> ContactForces::take(const AreaNodes& nodes) {
   sum_areas(nodes, taken);
   return taken;
 }
-
-#define PERCUSS_INSTANTIATE(Space) template void ContactForces::book(const Space&, const SolvedRows&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -45,8 +45,7 @@ class ContactForces {
   bool is_empty() const { return sums_.empty(); }
 
   /// Adds the impulses of this rank's rows. Collective.
-  template <class Space>
-  void book(const Space& space, const SolvedRows& solved);
+  void book(const WorkSpace& space, const SolvedRows& solved);
 
   /// A force that the checkpoint does not have begins with nothing.
   void archive(CheckpointArchive& archive);

@@ -209,8 +209,7 @@ void Enforcer::find_tie_uses(const TieStrengths& strengths, const Array<double>&
   });
 }
 
-template <class Space>
-SolveReport Enforcer::solve(const Space& space, double dt, double dt_mean) {
+SolveReport Enforcer::solve(const WorkSpace& space, double dt, double dt_mean) {
   const double scale = springs_ == SpringRows::all ? deck_.penalty_scale : scale_of_sheets;
   const SolveQuery query{dt, dt_mean, deck_.tolerance, scale, node_numbers_};
   if (springs_ != SpringRows::none) return solve_springs(space, query, system_, sums_, exchange_);
@@ -219,8 +218,7 @@ SolveReport Enforcer::solve(const Space& space, double dt, double dt_mean) {
   return solve_kinematic(space, query, system_, sums_, exchange_);
 }
 
-template <class Space>
-void Enforcer::book_pairs(const Space& space) {
+void Enforcer::book_pairs(const WorkSpace& space) {
   for (std::size_t p = 0; p < pair_work_.size(); ++p) {
     pair_work_[p].merge(sum_pair_work(space, static_cast<int>(p), system_, sums_));
     pair_work_[p].normal.normalize();
@@ -230,8 +228,7 @@ void Enforcer::book_pairs(const Space& space) {
 
 /// The work of contact is what walls and bodies do to each other as the walls see it; the rest comes from outside, or
 /// from the kinetic energy of walls with a mass.
-template <class Space>
-void Enforcer::finish_walls(const Space& space, int first_row, const ContactMotion& motion, ContactReport& report) {
+void Enforcer::finish_walls(const WorkSpace& space, int first_row, const ContactMotion& motion, ContactReport& report) {
   const WallWork work = moving_walls_.finish_step(space, first_row, motion, report.converged, system_, sums_);
   moving_walls_.place(walls_);
   report.normal_work -= work.push;
@@ -293,8 +290,7 @@ RowMeeting Enforcer::meet(const ContactMotion& motion, const Array<const RowTouc
 }
 
 /// What all ranks did.
-template <class Space>
-void Enforcer::report_outcome(const Space& space, const ContactMotion& motion, int num_touches,
+void Enforcer::report_outcome(const WorkSpace& space, const ContactMotion& motion, int num_touches,
                               const SolveReport& solved, ContactReport& report) {
   RowOutcome outcome;
   if (has_solved_)
@@ -343,7 +339,7 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
     else
       system_.num_nodes = 0;
     clear_last_impulse(motion);
-    if (ties_rotations_) Kokkos::deep_copy(space, motion.spins.moment, 0.0);
+    if (ties_rotations_) fill(space, motion.spins.moment, 0.0);
     const SolveReport solved = solve(space, motion.dt, dt_mean);
     has_solved_ = solved.rows > 0;
     if (has_solved_) {

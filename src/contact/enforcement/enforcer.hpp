@@ -80,15 +80,11 @@ class Enforcer {
  private:
   RowInputs make_inputs(const ContactMotion& motion) const;
   WallWays find_wall_ways(const ContactMotion& motion) const;
-  template <class Space>
-  void report_outcome(const Space& space, const ContactMotion& motion, int num_touches, const SolveReport& solved,
+  void report_outcome(const WorkSpace& space, const ContactMotion& motion, int num_touches, const SolveReport& solved,
                       ContactReport& report);
-  template <class Space>
-  SolveReport solve(const Space& space, double dt, double dt_mean);
-  template <class Space>
-  void book_pairs(const Space& space);
-  template <class Space>
-  void finish_walls(const Space& space, int first_row, const ContactMotion& motion, ContactReport& report);
+  SolveReport solve(const WorkSpace& space, double dt, double dt_mean);
+  void book_pairs(const WorkSpace& space);
+  void finish_walls(const WorkSpace& space, int first_row, const ContactMotion& motion, ContactReport& report);
   void clear_last_impulse(const ContactMotion& motion);
   void update_copies(const ContactMotion& motion);
 

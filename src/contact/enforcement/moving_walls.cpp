@@ -87,8 +87,7 @@ void MovingWalls::place(const WallPairs& walls) const {
   if (any()) write(walls, std::vector<double>(moving_.size(), 0));
 }
 
-template <class Space>
-void MovingWalls::start_step(const Space& space, const WallPairs& walls, const RowInputs& inputs, double time,
+void MovingWalls::start_step(const WorkSpace& space, const WallPairs& walls, const RowInputs& inputs, double time,
                              RowSumMemory& memory) {
   if (!any() || is_held_) return;
   for (std::size_t i = 0; i < moving_.size(); ++i) {
@@ -129,8 +128,7 @@ void MovingWalls::refuse_throw(std::size_t i, double after, const Rows3<const do
                   name_moving_walls(deck_)[i], before, after));
 }
 
-template <class Space>
-WallWork MovingWalls::finish_step(const Space& space, int first_row, const ContactMotion& motion, bool converged,
+WallWork MovingWalls::finish_step(const WorkSpace& space, int first_row, const ContactMotion& motion, bool converged,
                                   const RowSystem& system, RowSumMemory& memory) {
   WallWork work;
   if (is_held_) return work;
@@ -168,12 +166,5 @@ void MovingWalls::archive(CheckpointArchive& archive) {
   }
   if (any()) archive.integer("contact/walls/has_begun", has_begun_);
 }
-
-#define PERCUSS_INSTANTIATE(Space)                                                                                \
-  template void MovingWalls::start_step(const Space&, const WallPairs&, const RowInputs&, double, RowSumMemory&); \
-  template WallWork MovingWalls::finish_step(const Space&, int, const ContactMotion&, bool, const RowSystem&,     \
-                                             RowSumMemory&);
-PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
-#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

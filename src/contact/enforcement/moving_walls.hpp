@@ -42,15 +42,13 @@ class MovingWalls {
   void place(const WallPairs& walls) const;
 
   /// Sets the speeds of the step, on which the rows depend. Collective.
-  template <class Space>
-  void start_step(const Space& space, const WallPairs& walls, const RowInputs& inputs, double time,
+  void start_step(const WorkSpace& space, const WallPairs& walls, const RowInputs& inputs, double time,
                   RowSumMemory& memory);
 
   /// Takes the pushes of the rows from first_row on, and moves on to n+1. Returns the work of the walls on the bodies.
   /// converged: the pushes fulfil the rows; if not, throws RunError, on all ranks, where they give a wall with a mass
   /// more speed than any impact can. Collective.
-  template <class Space>
-  WallWork finish_step(const Space& space, int first_row, const ContactMotion& motion, bool converged,
+  WallWork finish_step(const WorkSpace& space, int first_row, const ContactMotion& motion, bool converged,
                        const RowSystem& system, RowSumMemory& memory);
 
   /// No wall comes towards bodies faster in the step from n = time to n+1; none went faster in the last one.

@@ -66,14 +66,12 @@ class RowExchange {
   bool is_touched(int rank) const { return has_part_[static_cast<std::size_t>(rank)] != 0; }
 
   void receive_nodes(const RowInputs& inputs, const RowSources& sources, RowSystem& system);
-  template <class Space>
-  void swap_shares(const Space& space, RowSystem& system) {
+  void swap_shares(const WorkSpace& space, RowSystem& system) {
     if (!has_many_ranks_) return;
     begin_swap(space, system);
     end_swap(system);
   }
-  template <class Space>
-  void swap_shares(const Space& space, RowSystem& system, PassSums& sums) {
+  void swap_shares(const WorkSpace& space, RowSystem& system, PassSums& sums) {
     if (!has_many_ranks_) return;
     begin_swap(space, system);
     if (team_.size() > 1) reduce_pass_(team_.ranks(), sums);  // while the shares are under way
@@ -97,8 +95,7 @@ class RowExchange {
  private:
   template <class Report, class Row, class Impulse, class Solve>
   Report solve_on_first_rank(const std::vector<Row>& rows, std::vector<Impulse>& impulses, const Solve& solve);
-  template <class Space>
-  void begin_swap(const Space& space, const RowSystem& system) {
+  void begin_swap(const WorkSpace& space, const RowSystem& system) {
     get_sent_shares(space, system, sent_values_);
     space.fence();
     Kokkos::deep_copy(send_buffer_, sent_values_);

@@ -10,11 +10,10 @@ namespace percuss {
 namespace {
 
 /// Nodes of other ranks among those of the first n touches.
-template <class Space>
-int count_foreign(const Space& space, const Array<const RowTouch>& touches, int n) {
+int count_foreign(const WorkSpace& space, const Array<const RowTouch>& touches, int n) {
   int count = 0;
-  Kokkos::parallel_reduce(
-      "contact::count_foreign", RangeOf<Space>(space, 0, n),
+  parallel_reduce(
+      "contact::count_foreign", RangeOf(space, 0, n),
       KOKKOS_LAMBDA(int r, int& sum) {
         for (int slot = 0; slot < touches(r).count; ++slot) sum += touches(r).node[slot] < 0 ? 1 : 0;
       },
