@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "kernels/core/small_space.hpp"
 #include "kernels/core/views.hpp"
 
 namespace percuss {
@@ -36,8 +37,8 @@ inline Rows3<double> make_rows(const std::string& label, std::size_t count) {
 /// packed(i) = values(rows(i)), complete on return. rows: [n], packed: [n][3].
 inline void pack_rows(const ExecSpace& space, const Array<const int>& rows, const Rows3<const double>& values,
                       const Rows3<double>& packed) {
-  Kokkos::parallel_for(
-      "percuss::pack_rows", Range(space, 0, static_cast<int>(rows.extent(0))), KOKKOS_LAMBDA(const int i) {
+  parallel_for(
+      "percuss::pack_rows", RangeOf(space, 0, static_cast<int>(rows.extent(0))), KOKKOS_LAMBDA(const int i) {
         for (int k = 0; k < 3; ++k) packed(i, k) = values(rows(i), k);
       });
   space.fence();

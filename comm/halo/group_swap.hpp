@@ -10,6 +10,7 @@
 #include "comm/exchange/data_exchange.hpp"
 #include "comm/exchange/exchange_buffers.hpp"
 #include "comm/halo/halo_plan.hpp"
+#include "kernels/core/small_space.hpp"
 #include "kernels/core/views.hpp"
 
 namespace percuss {
@@ -36,8 +37,8 @@ class GroupSwap {
   void begin(const ExecSpace& space, const Rows& rows) {
     const Array<int> slots = send_slots_;
     const Packed packed = send_;
-    Kokkos::parallel_for(
-        "percuss::pack_groups", Range(space, 0, static_cast<int>(slots.extent(0))), KOKKOS_LAMBDA(const int i) {
+    parallel_for(
+        "percuss::pack_groups", RangeOf(space, 0, static_cast<int>(slots.extent(0))), KOKKOS_LAMBDA(const int i) {
           for (int k = 0; k < 4 * Groups; ++k) packed(i, k) = rows(slots(i), k);
         });
     space.fence();
@@ -53,8 +54,8 @@ class GroupSwap {
     const Rows rows = rows_;
     const Packed packed = receive_;
     const int first = first_remote_slot_;
-    Kokkos::parallel_for(
-        "percuss::unpack_groups", Range(ExecSpace(), 0, remote_count_), KOKKOS_LAMBDA(const int i) {
+    parallel_for(
+        "percuss::unpack_groups", RangeOf(ExecSpace(), 0, remote_count_), KOKKOS_LAMBDA(const int i) {
           for (int k = 0; k < 4 * Groups; ++k) rows(first + i, k) = packed(i, k);
         });
   }

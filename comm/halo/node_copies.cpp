@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "comm/exchange/exchange_buffers.hpp"
+#include "kernels/core/small_space.hpp"
 
 namespace percuss {
 
@@ -67,8 +68,8 @@ void NodeCopies::begin(const ExecSpace& space, const std::vector<Rows3<const dou
   const int fields = fields_, count = exchange_.to.empty() ? 0 : static_cast<int>(nodes.extent(0));
   for (int f = 0; f < fields; ++f) {
     const Rows3<const double> from = values[static_cast<std::size_t>(f)];
-    Kokkos::parallel_for(
-        "percuss::pack_copies", Range(space, 0, count), KOKKOS_LAMBDA(const int i) {
+    parallel_for(
+        "percuss::pack_copies", RangeOf(space, 0, count), KOKKOS_LAMBDA(const int i) {
           for (int k = 0; k < 3; ++k) packed(fields * i + f, k) = from(nodes(i), k);
         });
   }
@@ -87,8 +88,8 @@ void NodeCopies::end(const ExecSpace& space, const std::vector<Rows3<double>>& v
     const int first = static_cast<int>(run.first) / fields, end = first + static_cast<int>(run.count) / fields;
     for (int f = 0; f < fields; ++f) {
       const Rows3<double> to = values[static_cast<std::size_t>(f)];
-      Kokkos::parallel_for(
-          "percuss::unpack_copies", Range(space, first, end), KOKKOS_LAMBDA(const int i) {
+      parallel_for(
+          "percuss::unpack_copies", RangeOf(space, first, end), KOKKOS_LAMBDA(const int i) {
             for (int k = 0; k < 3; ++k) to(nodes(i), k) = received(fields * i + f, k);
           });
     }

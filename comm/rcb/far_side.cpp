@@ -6,6 +6,7 @@
 
 #include "comm/exchange/exchange_buffers.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 
 namespace percuss {
 
@@ -108,8 +109,8 @@ void TravellingPoints::take_own_copy(const ExecSpace& space) {
   const auto positions = own_positions_;
   const auto ids = own_ids_;
   const auto weights = own_weights_;
-  Kokkos::parallel_for(
-      "percuss::rcb_copy", Range(space, 0, points_.count()), KOKKOS_LAMBDA(const int i) {
+  parallel_for(
+      "percuss::rcb_copy", RangeOf(space, 0, points_.count()), KOKKOS_LAMBDA(const int i) {
         for (int k = 0; k < 3; ++k) positions(i, k) = source.points.positions(i, k);
         ids(i) = source.points.ids(i);
         weights(i) = source.weight(i);
@@ -126,8 +127,8 @@ void TravellingPoints::list_leaving(const ExecSpace& space, const Cut& cut, bool
   const auto leaving = leaving_;
   const CoordinateKey cut_key = cut.key;
   leaving_count_ = 0;
-  Kokkos::parallel_scan(
-      "percuss::rcb_leaving", Range(space, 0, n),
+  parallel_scan(
+      "percuss::rcb_leaving", RangeOf(space, 0, n),
       KOKKOS_LAMBDA(const int i, int& place, const bool is_final) {
         if ((source.key(i) < cut_key) == is_lower) return;
         if (is_final) leaving(place) = i;
@@ -141,8 +142,8 @@ TravellingPoints::Records TravellingPoints::pack_leaving(const ExecSpace& space)
                   static_cast<std::size_t>(leaving_count_));
   const AxisPoints source{points_, 0};
   const auto leaving = leaving_;
-  Kokkos::parallel_for(
-      "percuss::rcb_pack", Range(space, 0, leaving_count_), KOKKOS_LAMBDA(const int i) {
+  parallel_for(
+      "percuss::rcb_pack", RangeOf(space, 0, leaving_count_), KOKKOS_LAMBDA(const int i) {
         const int p = leaving(i);
         for (int k = 0; k < 3; ++k) records(i).position[k] = source.points.positions(p, k);
         records(i).id = source.points.ids(p);
@@ -166,14 +167,14 @@ void TravellingPoints::replace_leaving(const ExecSpace& space, const std::vector
   const auto positions = own_positions_;
   const auto ids = own_ids_;
   const auto weights = own_weights_;
-  Kokkos::parallel_for(
-      "percuss::rcb_close_gaps", Range(space, 0, static_cast<int>(from.extent(0))), KOKKOS_LAMBDA(const int i) {
+  parallel_for(
+      "percuss::rcb_close_gaps", RangeOf(space, 0, static_cast<int>(from.extent(0))), KOKKOS_LAMBDA(const int i) {
         for (int k = 0; k < 3; ++k) positions(to(i), k) = positions(from(i), k);
         ids(to(i)) = ids(from(i));
         weights(to(i)) = weights(from(i));
       });
-  Kokkos::parallel_for(
-      "percuss::rcb_unpack", Range(space, 0, static_cast<int>(places.extent(0))), KOKKOS_LAMBDA(const int i) {
+  parallel_for(
+      "percuss::rcb_unpack", RangeOf(space, 0, static_cast<int>(places.extent(0))), KOKKOS_LAMBDA(const int i) {
         const int p = places(i);
         for (int k = 0; k < 3; ++k) positions(p, k) = records(i).position[k];
         ids(p) = records(i).id;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 
 namespace percuss {
 
@@ -104,8 +105,8 @@ Survey PointCounter::count_blocks(const ExecSpace& space, const Source& source, 
   make_room(block_surveys_, "percuss::rcb_counts", block_count);
   const auto bins = bins_;
   const auto block_surveys = block_surveys_;
-  Kokkos::parallel_for(
-      "percuss::rcb_count", Range(space, 0, block_count), KOKKOS_LAMBDA(const int block) {
+  parallel_for(
+      "percuss::rcb_count", RangeOf(space, 0, block_count), KOKKOS_LAMBDA(const int block) {
         Survey survey;
         ProbeCounts others;  // of every other point: a count need not wait for the one just before
         Run run;
@@ -151,8 +152,8 @@ CandidateKeys PointCounter::take(const ExecSpace& space, const Source& source, i
   make_room(candidates.weights, "percuss::rcb_candidate_weights", count_of(bin));
   CandidateKeys taken = candidates;
   const auto bins = bins_;
-  Kokkos::parallel_scan(
-      "percuss::rcb_take", Range(space, 0, n), KOKKOS_LAMBDA(const int i, int& place, const bool is_final) {
+  parallel_scan(
+      "percuss::rcb_take", RangeOf(space, 0, n), KOKKOS_LAMBDA(const int i, int& place, const bool is_final) {
         if (bins(i) != bin) return;
         if (is_final) {
           taken.keys(place) = source.key(i);

@@ -8,6 +8,7 @@
 
 #include "comm/all_reduce.hpp"
 #include "comm/exchange/exchange_buffers.hpp"
+#include "kernels/core/small_space.hpp"
 
 namespace percuss {
 
@@ -149,8 +150,8 @@ struct Extents {
 Extents find_extents(const ExecSpace& space, const Rows3<const double>& positions) {
   Extents extents{};
   for (int k = 0; k < 3; ++k) {
-    Kokkos::parallel_reduce(
-        "percuss::rcb_extents", Range(space, 0, static_cast<int>(positions.extent(0))),
+    parallel_reduce(
+        "percuss::rcb_extents", RangeOf(space, 0, static_cast<int>(positions.extent(0))),
         KOKKOS_LAMBDA(const int i, double& low, double& high) {
           if (positions(i, k) < low) low = positions(i, k);
           if (positions(i, k) > high) high = positions(i, k);

@@ -1,5 +1,6 @@
 #include "kernels/beam/beam_failure.hpp"
 
+#include "kernels/core/small_space.hpp"
 #include "kernels/element/life.hpp"
 
 namespace percuss {
@@ -33,8 +34,8 @@ FailureCounts find_beam_failures(const ExecSpace& space, const ElementChunks& ch
   const Array<Real> records = elements.records;
   FailureCounts counts;
   if (beams.parameters.extent(0) == 0) return counts;
-  Kokkos::parallel_reduce(
-      "percuss::find_beam_failures", Range(space, 0, static_cast<int>(failing.list.extent(0))),
+  parallel_reduce(
+      "percuss::find_beam_failures", RangeOf(space, 0, static_cast<int>(failing.list.extent(0))),
       KOKKOS_LAMBDA(const int i, int& sum_failing) {
         const int c = failing.list(i);
         if (!is_beam(chunks, c)) return;

@@ -1,6 +1,7 @@
 #include "kernels/element/failure.hpp"
 
 #include "kernels/core/common_record.hpp"
+#include "kernels/core/small_space.hpp"
 #include "kernels/element/failure_criteria.hpp"
 #include "kernels/element/hex8/point_mean.hpp"
 #include "kernels/element/life.hpp"
@@ -69,8 +70,8 @@ FailureCounts find_failures(const ExecSpace& space, const ElementChunks& chunks,
   const ElementLives lives = elements.lives;
   const Array<Real> records = elements.records;
   FailureCounts counts;
-  Kokkos::parallel_reduce(
-      "percuss::find_failures", Range(space, 0, static_cast<int>(failing.list.extent(0))),
+  parallel_reduce(
+      "percuss::find_failures", RangeOf(space, 0, static_cast<int>(failing.list.extent(0))),
       KOKKOS_LAMBDA(const int i, int& sum_failing, int& sum_died) {
         const int c = failing.list(i);
         if (is_shell(chunks, c)) return;  // kernels/shell/shell_failure.hpp
@@ -99,8 +100,8 @@ void copy_into_dead_lanes(const ExecSpace& space, const ElementChunks& chunks, c
   const FailingChunks failing = elements.chunks;
   const ElementLives lives = elements.lives;
   const Array<Real> records = elements.records;
-  Kokkos::parallel_for(
-      "percuss::copy_into_dead_lanes", Range(space, 0, static_cast<int>(failing.list.extent(0))),
+  parallel_for(
+      "percuss::copy_into_dead_lanes", RangeOf(space, 0, static_cast<int>(failing.list.extent(0))),
       KOKKOS_LAMBDA(const int i) {
         const int c = failing.list(i);
         const FailingRecords of = find_records(chunks, failing, records, c);

@@ -1,12 +1,14 @@
 #include "kernels/node/conditions.hpp"
 
+#include "kernels/core/small_space.hpp"
+
 namespace percuss {
 
 void hold_velocities(const ExecSpace& space, const HeldDirections& held, const PrescribedMotions& motions,
                      const Rows3<const double>& x, double dt, const Rows3<double>& v) {
   if (held.count == 0) return;
-  Kokkos::parallel_for(
-      "percuss::hold_velocities", Range(space, 0, held.count), KOKKOS_LAMBDA(const int i) {
+  parallel_for(
+      "percuss::hold_velocities", RangeOf(space, 0, held.count), KOKKOS_LAMBDA(const int i) {
         const int n = held.node(i);
         const int k = held.direction(i);
         const int m = held.motion(i);

@@ -1,5 +1,7 @@
 #include "kernels/node/damping.hpp"
 
+#include "kernels/core/small_space.hpp"
+
 namespace percuss {
 namespace {
 
@@ -12,8 +14,9 @@ KOKKOS_INLINE_FUNCTION double find_node_damping(const DampedNodes& nodes, const 
 
 void damp_velocities(const ExecSpace& space, const DampedNodes& nodes, const DampingStep& step,
                      const DampedMotion& motion, const Array<double>& growth) {
-  Kokkos::parallel_for(
-      "percuss::damp_velocities", Range(space, 0, static_cast<int>(nodes.entry.extent(0))), KOKKOS_LAMBDA(const int n) {
+  parallel_for(
+      "percuss::damp_velocities", RangeOf(space, 0, static_cast<int>(nodes.entry.extent(0))),
+      KOKKOS_LAMBDA(const int n) {
         const double h = find_node_damping(nodes, step, n), share = find_damped_share(h);
         const bool has_growth = growth.extent(0) > 0;
         if (has_growth) growth(n) = 1;
@@ -28,8 +31,8 @@ void damp_velocities(const ExecSpace& space, const DampedNodes& nodes, const Dam
 
 void find_damping_impulses(const ExecSpace& space, const DampedNodes& nodes, const DampingStep& step,
                            const DampedMotion& motion, const Rows3<double>& impulse) {
-  Kokkos::parallel_for(
-      "percuss::find_damping_impulses", Range(space, 0, static_cast<int>(nodes.entry.extent(0))),
+  parallel_for(
+      "percuss::find_damping_impulses", RangeOf(space, 0, static_cast<int>(nodes.entry.extent(0))),
       KOKKOS_LAMBDA(const int n) {
         if (motion.tensor_row.extent(0) > 0 && motion.tensor_row(n) >= 0) return;
         const double h = find_node_damping(nodes, step, n);

@@ -2,6 +2,7 @@
 
 #include "kernels/core/prefetch.hpp"
 #include "kernels/core/simd.hpp"
+#include "kernels/core/small_space.hpp"
 #include "kernels/core/tensor.hpp"
 
 namespace percuss {
@@ -76,8 +77,8 @@ double advance_and_measure(const char* label, const ExecSpace& space, const Rows
   const int count = static_cast<int>(v.extent(0));
   const Rows3<const double> rows = v;
   double most = 0;
-  Kokkos::parallel_reduce(
-      label, Range(space, 0, (count + block - 1) / block),
+  parallel_reduce(
+      label, RangeOf(space, 0, (count + block - 1) / block),
       KOKKOS_LAMBDA(const int b, double& largest) {
         const int first = b * block, last = first + block < count ? first + block : count;
         for (int n = first; n < last; ++n) advance(n);
@@ -92,8 +93,8 @@ double advance_and_measure(const char* label, const ExecSpace& space, const Rows
 
 void assemble_slots(const ExecSpace& space, const NodeSlots& nodes_to_slots, const Rows3<const double>& slot_force,
                     const Rows3<double>& force) {
-  Kokkos::parallel_for(
-      "percuss::assemble_slots", Range(space, 0, static_cast<int>(force.extent(0))), KOKKOS_LAMBDA(const int n) {
+  parallel_for(
+      "percuss::assemble_slots", RangeOf(space, 0, static_cast<int>(force.extent(0))), KOKKOS_LAMBDA(const int n) {
         const Vector3<double> f = sum_slots(nodes_to_slots, slot_force, n);
         force(n, 0) = f.x;
         force(n, 1) = f.y;
@@ -104,8 +105,8 @@ void assemble_slots(const ExecSpace& space, const NodeSlots& nodes_to_slots, con
 void predict_velocities(const ExecSpace& space, const NodeForces& forces, double dt_mean, const Rows3<double>& force,
                         const Rows3<double>& v_before, const Rows3<double>& v) {
   const Predictor predictor{forces, dt_mean, force, v_before, v, forces.inertia.extent(0) > 0};
-  Kokkos::parallel_for(
-      "percuss::predict_velocities", Range(space, 0, static_cast<int>(v.extent(0))),
+  parallel_for(
+      "percuss::predict_velocities", RangeOf(space, 0, static_cast<int>(v.extent(0))),
       KOKKOS_LAMBDA(const int n) { predictor.advance(n); });
 }
 
@@ -118,8 +119,8 @@ double predict_and_measure(const ExecSpace& space, const NodeForces& forces, dou
 
 void advance_free_nodes(const ExecSpace& space, const NodeForces& forces, double dt_mean, double dt,
                         const Rows3<double>& v, const Rows3<double>& x) {
-  Kokkos::parallel_for(
-      "percuss::advance_free_nodes", Range(space, 0, static_cast<int>(v.extent(0))), KOKKOS_LAMBDA(const int n) {
+  parallel_for(
+      "percuss::advance_free_nodes", RangeOf(space, 0, static_cast<int>(v.extent(0))), KOKKOS_LAMBDA(const int n) {
         const Vector3<double> sum = sum_slots(forces.nodes_to_slots, forces.slot_force, n);
         const double f[3] = {sum.x, sum.y, sum.z};
         for (int k = 0; k < 3; ++k) {
@@ -131,15 +132,15 @@ void advance_free_nodes(const ExecSpace& space, const NodeForces& forces, double
 }
 
 void mirror_velocities(const ExecSpace& space, const Rows3<const double>& v, const Rows3<double>& v_before) {
-  Kokkos::parallel_for(
-      "percuss::mirror_velocities", Range(space, 0, static_cast<int>(v.extent(0))), KOKKOS_LAMBDA(const int n) {
+  parallel_for(
+      "percuss::mirror_velocities", RangeOf(space, 0, static_cast<int>(v.extent(0))), KOKKOS_LAMBDA(const int n) {
         for (int k = 0; k < 3; ++k) v_before(n, k) = 2 * v_before(n, k) - v(n, k);
       });
 }
 
 void move_nodes(const ExecSpace& space, const Rows3<const double>& v, double dt, const Rows3<double>& x) {
-  Kokkos::parallel_for(
-      "percuss::move_nodes", Range(space, 0, static_cast<int>(x.extent(0))), KOKKOS_LAMBDA(const int n) {
+  parallel_for(
+      "percuss::move_nodes", RangeOf(space, 0, static_cast<int>(x.extent(0))), KOKKOS_LAMBDA(const int n) {
         for (int k = 0; k < 3; ++k) x(n, k) += dt * v(n, k);
       });
 }
@@ -157,8 +158,8 @@ double find_largest_component(const ExecSpace& space, const Rows3<const double>&
 double find_largest_component(const ExecSpace& space, const Array<const int>& nodes, int count,
                               const Rows3<const double>& v) {
   double most = 0;
-  Kokkos::parallel_reduce(
-      "percuss::largest_component_of_nodes", Range(space, 0, count),
+  parallel_reduce(
+      "percuss::largest_component_of_nodes", RangeOf(space, 0, count),
       KOKKOS_LAMBDA(const int i, double& largest) {
         for (int k = 0; k < 3; ++k) largest = larger(largest, larger(v(nodes(i), k), -v(nodes(i), k)));
       },

@@ -1,5 +1,6 @@
 #include "kernels/node/pressure.hpp"
 
+#include "kernels/core/small_space.hpp"
 #include "kernels/core/tensor.hpp"
 
 namespace percuss {
@@ -79,8 +80,8 @@ void apply_pressure(const ExecSpace& space, const PressureFaces& faces, const Ar
                     const PressedNodes& nodes, const Rows3<double>& slot_force, const PressureSums& sums) {
   if (faces.count == 0) return;
   const FacePresser presser{faces, pressure, nodes, slot_force};
-  Kokkos::parallel_for(
-      "percuss::apply_pressure", Range(space, 0, faces.run_count), KOKKOS_LAMBDA(const int r) {
+  parallel_for(
+      "percuss::apply_pressure", RangeOf(space, 0, faces.run_count), KOKKOS_LAMBDA(const int r) {
         double sum[PressureSum::count] = {};
         const int end = presser.faces.first_of_run(r + 1);
         for (int f = presser.faces.first_of_run(r); f < end; ++f) presser.press(f, sum);

@@ -1,5 +1,7 @@
 #include "kernels/rigid/rigid_nodes.hpp"
 
+#include "kernels/core/small_space.hpp"
+
 namespace percuss {
 namespace {
 
@@ -27,8 +29,8 @@ KOKKOS_INLINE_FUNCTION Vector3<double> sum_slots(const NodeSlots& nodes_to_slots
 void set_rigid_velocities(const ExecSpace& space, const RigidNodes& nodes, const Array<const BodyStep>& bodies,
                           const Rows3<double>& v) {
   const RigidNodes of = nodes;
-  Kokkos::parallel_for(
-      "percuss::set_rigid_velocities", Range(space, 0, nodes.count), KOKKOS_LAMBDA(const int i) {
+  parallel_for(
+      "percuss::set_rigid_velocities", RangeOf(space, 0, nodes.count), KOKKOS_LAMBDA(const int i) {
         const BodyStep& body = bodies(of.body(i));
         const Vector3<double> arm = get_row(of.arm, i);
         const Vector3<double> middle = 0.5 * (body.rotation * arm + body.next_rotation * arm);
@@ -39,8 +41,8 @@ void set_rigid_velocities(const ExecSpace& space, const RigidNodes& nodes, const
 void place_rigid_nodes(const ExecSpace& space, const RigidNodes& nodes, const Array<const BodyStep>& bodies,
                        const Rows3<double>& x) {
   const RigidNodes of = nodes;
-  Kokkos::parallel_for(
-      "percuss::place_rigid_nodes", Range(space, 0, nodes.count), KOKKOS_LAMBDA(const int i) {
+  parallel_for(
+      "percuss::place_rigid_nodes", RangeOf(space, 0, nodes.count), KOKKOS_LAMBDA(const int i) {
         const BodyStep& body = bodies(of.body(i));
         set_row(x, of.node(i), body.next_center + body.next_rotation * get_row(of.arm, i));
       });
@@ -49,8 +51,8 @@ void place_rigid_nodes(const ExecSpace& space, const RigidNodes& nodes, const Ar
 void set_rigid_spins(const ExecSpace& space, const RigidNodes& nodes, const Array<const BodyStep>& bodies,
                      const Rows3<double>& w) {
   const RigidNodes of = nodes;
-  Kokkos::parallel_for(
-      "percuss::set_rigid_spins", Range(space, 0, nodes.count),
+  parallel_for(
+      "percuss::set_rigid_spins", RangeOf(space, 0, nodes.count),
       KOKKOS_LAMBDA(const int i) { set_row(w, of.node(i), bodies(of.body(i)).spin); });
 }
 

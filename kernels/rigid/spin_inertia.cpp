@@ -1,5 +1,6 @@
 #include "kernels/rigid/spin_inertia.hpp"
 
+#include "kernels/core/small_space.hpp"
 #include "kernels/rigid/rigid_motion.hpp"
 
 namespace percuss {
@@ -26,8 +27,8 @@ KOKKOS_INLINE_FUNCTION Matrix3<double> find_turn_matrix(const Vector3<double>& g
 template <class Visit>
 void for_each_tensor(const char* label, const ExecSpace& space, const SpinInertia& inertia, const Visit& visit) {
   const SpinInertia of = inertia;
-  Kokkos::parallel_for(
-      label, Range(space, 0, static_cast<int>(of.tensors.node.extent(0))), KOKKOS_LAMBDA(const int i) {
+  parallel_for(
+      label, RangeOf(space, 0, static_cast<int>(of.tensors.node.extent(0))), KOKKOS_LAMBDA(const int i) {
         const int n = of.tensors.node(i);
         if (of.number(n) > 0) visit(i, n);
       });

@@ -1,5 +1,6 @@
 #include "kernels/shell/shell_failure.hpp"
 
+#include "kernels/core/small_space.hpp"
 #include "kernels/element/failure_criteria.hpp"
 
 namespace percuss {
@@ -221,9 +222,9 @@ FailureCounts find_shell_failures(const ExecSpace& space, const ElementChunks& c
   const FailingChunks& failing = elements.chunks;
   FailureCounts counts;
   if (failing.first_layer.extent(0) == 0) return counts;
-  Kokkos::parallel_reduce("percuss::find_shell_failures", Range(space, 0, static_cast<int>(failing.list.extent(0))),
-                          JudgeShells{chunks, failing, rules, dt, elements.records, elements.lives, results},
-                          counts.failing, counts.died);
+  parallel_reduce("percuss::find_shell_failures", RangeOf(space, 0, static_cast<int>(failing.list.extent(0))),
+                  JudgeShells{chunks, failing, rules, dt, elements.records, elements.lives, results}, counts.failing,
+                  counts.died);
   return counts;
 }
 

@@ -1,5 +1,6 @@
 #include "kernels/tet/tet_force.hpp"
 
+#include "kernels/core/small_space.hpp"
 #include "kernels/tet/tet_packs.hpp"
 
 namespace percuss {
@@ -73,8 +74,8 @@ void average_tet_rates(const ExecSpace& space, const TetLaunch& launch) {
   const TetRateRows slots = launch.passes.slot_rates;
   const TetAverageRows means = launch.passes.rates;
   const Array<int> rates_rest = launch.passes.rates_rest;
-  Kokkos::parallel_for(
-      "percuss::average_tet_rates", Range(space, 0, nodes.count), KOKKOS_LAMBDA(const int r) {
+  parallel_for(
+      "percuss::average_tet_rates", RangeOf(space, 0, nodes.count), KOKKOS_LAMBDA(const int r) {
         RowSum<TetSums::rate_row> sum;
         visit_slots(nodes, slots, r, [&](const double* row) { sum.add(row); });
         double mean[TetSums::rate_row];
@@ -101,8 +102,8 @@ void average_tet_stresses(const ExecSpace& space, const TetLaunch& launch) {
   const TetAverageRows means = launch.passes.stresses;
   const Array<double> shares = launch.passes.shares;
   const Array<int> stresses_stay = launch.passes.stresses_stay;
-  Kokkos::parallel_for(
-      "percuss::average_tet_stresses", Range(space, 0, nodes.count), KOKKOS_LAMBDA(const int r) {
+  parallel_for(
+      "percuss::average_tet_stresses", RangeOf(space, 0, nodes.count), KOKKOS_LAMBDA(const int r) {
         RowSum<TetSums::average_row> sum;
         RowSum<4> rest;
         visit_slots(nodes, slots, r, [&](const double* row) {

@@ -7,6 +7,7 @@
 #include "comm/exact_reduction.hpp"
 #include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 #include "kernels/element/element_records.hpp"
 #include "kernels/element/failure.hpp"
 #include "src/index.hpp"
@@ -152,8 +153,8 @@ void Erosion::count_holders(const State& state) {
   const ElementChunks chunks = model_.chunks;
   const FailingChunks failing = model_.failing;
   const Array<int> steps_left = state.lives.steps_left;
-  Kokkos::parallel_for(
-      "percuss::count_holders", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+  parallel_for(
+      "percuss::count_holders", RangeOf(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         for (int s = chunks.first_slot(c); s < chunks.first_slot(c + 1); ++s) slots(s, 0) = 0;
         const int first_pack = failing.find_pack(c);
         for (int i = 0; i < count_elements(chunks, c); ++i) {

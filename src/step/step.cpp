@@ -4,6 +4,7 @@
 
 #include "kernels/core/contract.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 #include "src/deck/contact_springs.hpp"
 #include "src/step/phases.hpp"
 
@@ -21,8 +22,8 @@ double bound_speed(double component) {
 void mirror_followers(const State& state, const Rows3<double>& start) {
   const SpinInertia inertia = state.spin_inertia();
   const auto w = state.w, w_before = state.w_before;
-  Kokkos::parallel_for(
-      "percuss::mirror_followers", Range(ExecSpace(), 0, static_cast<int>(inertia.tensors.node.extent(0))),
+  parallel_for(
+      "percuss::mirror_followers", RangeOf(ExecSpace(), 0, static_cast<int>(inertia.tensors.node.extent(0))),
       KOKKOS_LAMBDA(const int i) {
         const int n = inertia.tensors.node(i);
         bool is_held = false;

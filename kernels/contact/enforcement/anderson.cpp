@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 
 namespace percuss {
 namespace {
@@ -26,8 +27,8 @@ void find_dots(const WindowSize& size, const Vectors& df, const Array<const doub
   const Vectors of = df;
   const Array<const double> residual = f, factor = weight;
   const Array<double> out = dots;
-  Kokkos::parallel_for(
-      "contact::anderson_dots", Range(0, 2 * differences + 1), KOKKOS_LAMBDA(int d) {
+  parallel_for(
+      "contact::anderson_dots", RangeOf(ExecSpace(), 0, 2 * differences + 1), KOKKOS_LAMBDA(int d) {
         double sum = 0;
         if (d == 2 * differences) {
           for (int i = 0; i < unknowns; ++i) sum += factor(i) * residual(i) * residual(i);
@@ -51,8 +52,8 @@ void subtract_differences(const std::vector<double>& gamma, const Vectors& dg, c
   const Array<const double> coefficients = on_device;
   const Vectors differences = dg;
   const Array<double> out = g;
-  Kokkos::parallel_for(
-      "contact::anderson_step", Range(0, n), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::anderson_step", RangeOf(ExecSpace(), 0, n), KOKKOS_LAMBDA(int i) {
         double sum = 0;
         for (int d = 0; d < count; ++d) sum += coefficients(d) * differences(d, i);
         out(i) -= sum;
@@ -61,14 +62,15 @@ void subtract_differences(const std::vector<double>& gamma, const Vectors& dg, c
 
 /// to(slot, i) = now(i) - last(i).
 void set_difference(const Vectors& to, int slot, const Array<const double>& now, const Array<const double>& last) {
-  Kokkos::parallel_for(
-      "contact::anderson_difference", Range(0, static_cast<int>(last.extent(0))),
+  parallel_for(
+      "contact::anderson_difference", RangeOf(ExecSpace(), 0, static_cast<int>(last.extent(0))),
       KOKKOS_LAMBDA(int i) { to(slot, i) = now(i) - last(i); });
 }
 
 void copy_values(const Array<const double>& from, const Array<double>& to) {
-  Kokkos::parallel_for(
-      "contact::anderson_last", Range(0, static_cast<int>(to.extent(0))), KOKKOS_LAMBDA(int i) { to(i) = from(i); });
+  parallel_for(
+      "contact::anderson_last", RangeOf(ExecSpace(), 0, static_cast<int>(to.extent(0))),
+      KOKKOS_LAMBDA(int i) { to(i) = from(i); });
 }
 
 }  // namespace
@@ -125,8 +127,8 @@ std::vector<double> AndersonWindow::solve_coefficients(std::vector<double> x) co
 
 double AndersonWindow::accelerate(const Array<const double>& z, const Array<double>& g) {
   const Array<double> f = f_;
-  Kokkos::parallel_for(
-      "contact::anderson_f", Range(0, n_), KOKKOS_LAMBDA(int i) { f(i) = g(i) - z(i); });
+  parallel_for(
+      "contact::anderson_f", RangeOf(ExecSpace(), 0, n_), KOKKOS_LAMBDA(int i) { f(i) = g(i) - z(i); });
   store_difference(f_, g);
   int fresh = -1;
   if (has_last_) {

@@ -7,6 +7,7 @@
 #include "kernels/contact/enforcement/anderson.hpp"
 #include "kernels/contact/enforcement/cone_row.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 
 namespace percuss {
 namespace {
@@ -116,8 +117,8 @@ ColouredBlocks colour_blocks(const HostProblem& problem, const std::vector<RowTw
 
 /// The block of each row, and the weight of each unknown.
 void fill_blocks(const ConeProblem& p, const Array<ConeBlock>& blocks, const Array<double>& weight) {
-  Kokkos::parallel_for(
-      "contact::cone_blocks", Range(0, p.num_rows), KOKKOS_LAMBDA(int r) {
+  parallel_for(
+      "contact::cone_blocks", RangeOf(ExecSpace(), 0, p.num_rows), KOKKOS_LAMBDA(int r) {
         blocks(r) = find_block(p, r);
         const int f = p.first(r);
         for (int i = f; i < p.first(r + 1); ++i) weight(i) = i == f ? blocks(r).normal : blocks(r).tangential;
@@ -173,8 +174,8 @@ struct Sweeper {
     const ConeProblem p = problem;
     const Array<const ConeBlock> b = blocks;
     double residual = 0;
-    Kokkos::parallel_reduce(
-        "contact::cone_residual", Range(0, p.num_rows),
+    parallel_reduce(
+        "contact::cone_residual", RangeOf(ExecSpace(), 0, p.num_rows),
         KOKKOS_LAMBDA(int r, double& most) {
           const double deviation = find_deviation(p, b(r), r, z);
           if (!(deviation <= most)) most = deviation <= most_of_all ? deviation : most_of_all;
@@ -188,8 +189,8 @@ struct Sweeper {
     const ConeProblem p = problem;
     const Array<int> last = status;
     int changes = 0;
-    Kokkos::parallel_reduce(
-        "contact::cone_status", Range(0, p.num_rows),
+    parallel_reduce(
+        "contact::cone_status", RangeOf(ExecSpace(), 0, p.num_rows),
         KOKKOS_LAMBDA(int r, int& sum) {
           const int now = find_status(p, r, z);
           if (now != last(r)) ++sum;
@@ -203,24 +204,27 @@ struct Sweeper {
   void stop_at_changes(const Array<double>& z, const Array<double>& to) const {
     const ConeProblem p = problem;
     double way = 1;
-    Kokkos::parallel_reduce(
-        "contact::cone_open_way", Range(0, p.num_rows),
+    parallel_reduce(
+        "contact::cone_open_way", RangeOf(ExecSpace(), 0, p.num_rows),
         KOKKOS_LAMBDA(int r, double& least) {
           const double open = find_open_way(p, r, z, to);
           if (open < least) least = open;
         },
         Kokkos::Min<double>(way));
-    Kokkos::parallel_for(
-        "contact::cone_go", Range(0, p.a.num_rows), KOKKOS_LAMBDA(int i) { to(i) = z(i) + way * (to(i) - z(i)); });
+    parallel_for(
+        "contact::cone_go", RangeOf(ExecSpace(), 0, p.a.num_rows),
+        KOKKOS_LAMBDA(int i) { to(i) = z(i) + way * (to(i) - z(i)); });
     project(to);
   }
 
   void project(const Array<double>& z) const {
     const ConeProblem p = problem;
-    Kokkos::parallel_for(
-        "contact::cone_project_pushes", Range(0, p.num_rows), KOKKOS_LAMBDA(int r) { project_push(p, r, z); });
-    Kokkos::parallel_for(
-        "contact::cone_project_friction", Range(0, p.num_rows), KOKKOS_LAMBDA(int r) { project_friction(p, r, z); });
+    parallel_for(
+        "contact::cone_project_pushes", RangeOf(ExecSpace(), 0, p.num_rows),
+        KOKKOS_LAMBDA(int r) { project_push(p, r, z); });
+    parallel_for(
+        "contact::cone_project_friction", RangeOf(ExecSpace(), 0, p.num_rows),
+        KOKKOS_LAMBDA(int r) { project_friction(p, r, z); });
   }
 
   ConeProblem problem;

@@ -8,6 +8,7 @@
 #include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 #include "src/index.hpp"
 
 namespace percuss {
@@ -66,8 +67,8 @@ double WallWatch::find_way(const WallPairs& pairs, const SurfaceMotion& motion) 
   const Array<const int> node = pairs.node;
   const Rows3<const double> v = motion.v;
   double square = 0;
-  Kokkos::parallel_reduce(
-      "contact::way_to_walls", Range(ExecSpace(), 0, static_cast<int>(node.extent(0))),
+  parallel_reduce(
+      "contact::way_to_walls", RangeOf(ExecSpace(), 0, static_cast<int>(node.extent(0))),
       KOKKOS_LAMBDA(int p, double& largest) {
         const Point3 u = load_row(v, node(p));
         const double s = dot(u, u);

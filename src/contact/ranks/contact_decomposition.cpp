@@ -7,6 +7,7 @@
 #include "comm/gather_items.hpp"
 #include "kernels/contact/search/capture_boxes.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 #include "src/index.hpp"
 
 namespace percuss {
@@ -57,8 +58,8 @@ void send_rows(DataExchange& data, const ExchangePlan& plan, const Rows& sent, c
   constexpr int width = sizeof(Item) / sizeof(double);
   const Array<Item> send(Kokkos::view_alloc("contact::sent_rows", Kokkos::WithoutInitializing), from.extent(0));
   const Array<Item> receive(Kokkos::view_alloc("contact::received_rows", Kokkos::WithoutInitializing), to.extent(0));
-  Kokkos::parallel_for(
-      "contact::pack_rows", Range(ExecSpace(), 0, static_cast<int>(from.extent(0))), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::pack_rows", RangeOf(ExecSpace(), 0, static_cast<int>(from.extent(0))), KOKKOS_LAMBDA(int i) {
         double* const item = reinterpret_cast<double*>(&send(i));
         for (int k = 0; k < width; ++k) item[k] = sent(from(i), k);
       });
@@ -69,8 +70,8 @@ void send_rows(DataExchange& data, const ExchangePlan& plan, const Rows& sent, c
                    {receive_buffer.data(), receive_buffer.extent(0)});
   data.end();
   Kokkos::deep_copy(receive, receive_buffer);
-  Kokkos::parallel_for(
-      "contact::unpack_rows", Range(ExecSpace(), 0, static_cast<int>(to.extent(0))), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::unpack_rows", RangeOf(ExecSpace(), 0, static_cast<int>(to.extent(0))), KOKKOS_LAMBDA(int i) {
         const double* const item = reinterpret_cast<const double*>(&receive(i));
         for (int k = 0; k < width; ++k) received(to(i), k) = item[k];
       });
@@ -179,8 +180,8 @@ void ContactDecomposition::locate_points(const SurfaceMotion& motion) {
   const SurfaceMotion m = motion;
   const int num_nodes = static_cast<int>(searched_nodes_.size());
   const int num_points = num_nodes + static_cast<int>(share_.searched_faces.size());
-  Kokkos::parallel_for(
-      "contact::locate_points", Range(ExecSpace(), 0, num_points), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::locate_points", RangeOf(ExecSpace(), 0, num_points), KOKKOS_LAMBDA(int i) {
         if (i < num_nodes) {
           store_row(out, i, load_row(m.x, list(searched(i))));
           return;

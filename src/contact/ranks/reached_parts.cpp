@@ -4,6 +4,7 @@
 
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 #include "src/error.hpp"
 
 namespace percuss {
@@ -40,8 +41,8 @@ ReachCount count_reached_parts(const Communicator& ranks, const CutTree& tree, c
   std::int64_t unlisted = 0;
   const BoxVisit visit{tree, boxes};
   const Array<const int> first = listed.first, part = listed.part;
-  Kokkos::parallel_reduce(
-      "contact::count_reached_parts", Range(ExecSpace(), 0, num_boxes),
+  parallel_reduce(
+      "contact::count_reached_parts", RangeOf(ExecSpace(), 0, num_boxes),
       KOKKOS_LAMBDA(int i, std::int64_t& copies, std::int64_t& others) {
         int next = first(i);
         const int end = first(i + 1);
@@ -67,8 +68,8 @@ ReachedParts list_reached_parts(const Communicator& ranks, const CutTree& tree, 
   const Array<int> first = reached.first;
   std::int64_t total = 0;
   const BoxVisit visit{tree, boxes};
-  Kokkos::parallel_scan(
-      "contact::place_reached_parts", Range(space, 0, num_boxes + 1),
+  parallel_scan(
+      "contact::place_reached_parts", RangeOf(space, 0, num_boxes + 1),
       KOKKOS_LAMBDA(int i, std::int64_t& place, bool final_pass) {
         if (final_pass) first(i) = static_cast<int>(place);
         if (i < num_boxes) visit(i, [&](int) { ++place; });
@@ -81,8 +82,8 @@ ReachedParts list_reached_parts(const Communicator& ranks, const CutTree& tree, 
   const Array<int> box("contact::reached_box", copies), part("contact::reached_part", copies);
   reached.box = box;
   reached.part = part;
-  Kokkos::parallel_for(
-      "contact::list_reached_parts", Range(space, 0, num_boxes), KOKKOS_LAMBDA(int i) {
+  parallel_for(
+      "contact::list_reached_parts", RangeOf(space, 0, num_boxes), KOKKOS_LAMBDA(int i) {
         int place = first(i);
         visit(i, [&](int p) {
           box(place) = i;
@@ -96,8 +97,8 @@ ReachedParts list_reached_parts(const Communicator& ranks, const CutTree& tree, 
 std::int64_t count_boxes_that_reach(const CutTree& tree, const Boxes& boxes, int num_boxes, int part) {
   std::int64_t count = 0;
   const BoxVisit visit{tree, boxes};
-  Kokkos::parallel_reduce(
-      "contact::count_reaching_boxes", Range(ExecSpace(), 0, num_boxes),
+  parallel_reduce(
+      "contact::count_reaching_boxes", RangeOf(ExecSpace(), 0, num_boxes),
       KOKKOS_LAMBDA(int i, std::int64_t& sum) { visit(i, [&](int p) { sum += p == part ? 1 : 0; }); }, count);
   return count;
 }

@@ -4,6 +4,7 @@
 
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 #include "src/contact/search/contact_finder.hpp"
 #include "src/contact/search/pair_limit.hpp"
 #include "src/contact/surface/number_map.hpp"
@@ -37,8 +38,8 @@ void RankedEdges::find_owners(const SurfaceMotion& motion) {
   const Array<int> owners("contact::edge_owners", ids.size());
   const Rows2<const int> ends = points_.ends;
   const SurfaceMotion m = motion;
-  Kokkos::parallel_for(
-      "contact::edge_middles", Range(ExecSpace(), 0, static_cast<int>(ids.size())),
+  parallel_for(
+      "contact::edge_middles", RangeOf(ExecSpace(), 0, static_cast<int>(ids.size())),
       KOKKOS_LAMBDA(int e) { store_row(middles, e, 0.5 * (load_row(m.x, ends(e, 0)) + load_row(m.x, ends(e, 1)))); });
   percuss::find_owners(ExecSpace(), parts_->bisection().tree(), middles, to_view("contact::edge_ids", ids), owners);
   ExecSpace().fence();

@@ -8,6 +8,7 @@
 #include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/index_lists.hpp"
+#include "kernels/core/small_space.hpp"
 #include "src/contact/surface/number_map.hpp"
 
 namespace percuss {
@@ -163,8 +164,8 @@ std::int64_t FoldWatch::look_at_own(const Rows3<const double>& x, FoldChange lea
     return find_change(find_shape(x, e.side), find_shape(x, e.other), e.rule) >= by;
   };
   std::int64_t num_due = 0;
-  Kokkos::parallel_reduce(
-      "contact::watch_folds", Range(ExecSpace(), 0, count),
+  parallel_reduce(
+      "contact::watch_folds", RangeOf(ExecSpace(), 0, count),
       KOKKOS_LAMBDA(int i, std::int64_t& sum) { sum += has_changed(i, least) ? 1 : 0; }, num_due);
   if (num_due == 0 && ranks_.size() == 1) return 0;
   const Array<int> list("contact::changed_folds", at(count));
@@ -182,8 +183,8 @@ std::int64_t FoldWatch::look_at_shared(const Rows3<const double>& x, FoldChange 
                                        std::vector<EdgeEnds>& changed) const {
   const Array<const WatchedSide> sides = sides_;
   const Array<SideShape> shapes("contact::side_shapes", sides.extent(0));
-  Kokkos::parallel_for(
-      "contact::watch_sides", Range(ExecSpace(), 0, static_cast<int>(sides.extent(0))),
+  parallel_for(
+      "contact::watch_sides", RangeOf(ExecSpace(), 0, static_cast<int>(sides.extent(0))),
       KOKKOS_LAMBDA(int i) { shapes(i) = find_shape(x, sides(i)); });
   const auto host = to_host(shapes);
   std::vector<SideShape> all(host.data(), host.data() + host.extent(0));
@@ -227,8 +228,8 @@ void FoldWatch::note_own(const std::vector<EdgeEnds>& changed) {
   }
   const Array<const int> place = to_view("contact::noted_edges", places), value = to_view("contact::noted", values);
   const Array<WatchedEdge> edges = own_edges_;
-  Kokkos::parallel_for(
-      "contact::note_folds", Range(ExecSpace(), 0, static_cast<int>(places.size())),
+  parallel_for(
+      "contact::note_folds", RangeOf(ExecSpace(), 0, static_cast<int>(places.size())),
       KOKKOS_LAMBDA(int i) { edges(place(i)).rule.is_fold = value(i); });
 }
 

@@ -4,6 +4,7 @@
 
 #include "comm/exact_reduction.hpp"
 #include "comm/halo/halo_swap.hpp"
+#include "kernels/core/small_space.hpp"
 #include "kernels/element/element_records.hpp"
 #include "kernels/node/motion.hpp"
 #include "src/deck/asked_for.hpp"
@@ -102,8 +103,8 @@ void BlockEnergies::find_shares(const Model& model, const State& state) {
   const auto listed = listed_, first_share = first_share_;
   const auto shares = shares_;
   const ElementChunks chunks = model.chunks;
-  Kokkos::parallel_for(
-      "percuss::find_block_shares", Range(ExecSpace(), 0, static_cast<int>(chunks_.size())),
+  parallel_for(
+      "percuss::find_block_shares", RangeOf(ExecSpace(), 0, static_cast<int>(chunks_.size())),
       KOKKOS_LAMBDA(const int i) {
         const int first = chunks.first_slot(listed(i));
         for (int s = first; s < chunks.first_slot(listed(i) + 1); ++s) {
@@ -125,8 +126,8 @@ void BlockEnergies::sum_nodes(const Model& model, const State& state) {
   const auto shares = shares_;
   const auto sums = node_sums_;
   const ElementChunks chunks = model.chunks;
-  Kokkos::parallel_for(
-      "percuss::sum_blocks", Range(ExecSpace(), 0, static_cast<int>(chunks_.size())), KOKKOS_LAMBDA(const int i) {
+  parallel_for(
+      "percuss::sum_blocks", RangeOf(ExecSpace(), 0, static_cast<int>(chunks_.size())), KOKKOS_LAMBDA(const int i) {
         double sum[ChunkSum::count] = {}, f[3];
         const int first = chunks.first_slot(listed(i));
         const bool counts = !has_bodies || is_rigid(listed(i)) == 0;

@@ -4,6 +4,7 @@
 
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 #include "src/deck/asked_for.hpp"
 #include "src/deck/rigid_bodies.hpp"
 #include "src/step/model/moving_nodes.hpp"
@@ -24,8 +25,8 @@ void sum_chunks(const Model& model, const State& state, const Array<int>& listed
   const NodeRuns owned = model.owned_nodes;
   const bool leaves_out = has_own_mass.extent(0) > 0;
   const Array<const int> left_out = has_own_mass, body_of_node = model.rigid.body_of_node;
-  Kokkos::parallel_for(
-      "percuss::sum_parts", Range(ExecSpace(), 0, static_cast<int>(listed.extent(0))), KOKKOS_LAMBDA(const int i) {
+  parallel_for(
+      "percuss::sum_parts", RangeOf(ExecSpace(), 0, static_cast<int>(listed.extent(0))), KOKKOS_LAMBDA(const int i) {
         double sum[ChunkSum::count] = {}, f[3];
         for (int n = owned.first(listed(i)); n < owned.end(listed(i)); ++n) {
           if (leaves_out && body_of_node(n) >= 0 && left_out(body_of_node(n)) != 0) continue;

@@ -7,6 +7,7 @@
 
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 
 namespace percuss {
 namespace {
@@ -32,8 +33,8 @@ void sum_motions(const Model& model, const State& state, const Array<int>& liste
   const NodeRuns owned = model.owned_nodes;
   const auto x = state.x, v = state.v;
   const auto mass = state.mass;
-  Kokkos::parallel_for(
-      "percuss::sum_part_motions", Range(ExecSpace(), 0, static_cast<int>(listed.extent(0))),
+  parallel_for(
+      "percuss::sum_part_motions", RangeOf(ExecSpace(), 0, static_cast<int>(listed.extent(0))),
       KOKKOS_LAMBDA(const int i) {
         double sum[MotionSum::count] = {};
         for (int n = owned.first(listed(i)); n < owned.end(listed(i)); ++n) {

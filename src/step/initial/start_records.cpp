@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "kernels/core/common_record.hpp"
+#include "kernels/core/small_space.hpp"
 #include "kernels/element/element_records.hpp"
 #include "kernels/shell/shell_geometry.hpp"
 #include "kernels/shell/shell_hourglass.hpp"
@@ -55,8 +56,8 @@ double find_largest(const double* s) {
 
 Array<RecordLayout> find_layouts(const ElementChunks& chunks) {
   const Array<RecordLayout> layouts("percuss::record_layouts", at(chunks.count));
-  Kokkos::parallel_for(
-      "percuss::find_record_layouts", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+  parallel_for(
+      "percuss::find_record_layouts", RangeOf(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         layouts(c) = {chunks.points(c), is_shell(chunks, c) ? find_layer_size(chunks, c) : 0,
                       chunks.find_scalar(c, HistoryScalar::equivalent_plastic_strain),
                       chunks.find_scalar(c, HistoryScalar::temperature)};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 #include "src/deck/deck.hpp"
 
 namespace percuss {
@@ -10,8 +11,8 @@ namespace {
 
 /// Values of pulses at a time, or zeros, one after the other from `first` on.
 void find_values(const Array<const Pulse>& pulses, double time, bool is_on, int first, const Array<double>& values) {
-  Kokkos::parallel_for(
-      "percuss::blast_pressures", Range(ExecSpace(), 0, static_cast<int>(pulses.extent(0))),
+  parallel_for(
+      "percuss::blast_pressures", RangeOf(ExecSpace(), 0, static_cast<int>(pulses.extent(0))),
       KOKKOS_LAMBDA(const int i) { values(first + i) = is_on ? pulses(i)(time) : 0; });
 }
 

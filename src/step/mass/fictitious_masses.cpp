@@ -8,6 +8,7 @@
 #include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 #include "kernels/element/element_records.hpp"
 #include "kernels/element/failure_criteria.hpp"
 #include "src/index.hpp"
@@ -40,16 +41,17 @@ Array<double> scale_each(const std::string& label, const Array<const double>& fr
 /// 1 / mass in directions that are free.
 Rows3<double> invert(const Rows3<double>& before, const Array<double>& mass) {
   const Rows3<double> inverse("percuss::inverse_of_relaxation", before.extent(0));
-  Kokkos::parallel_for(
-      "percuss::invert_masses", Range(ExecSpace(), 0, static_cast<int>(before.extent(0))), KOKKOS_LAMBDA(const int n) {
+  parallel_for(
+      "percuss::invert_masses", RangeOf(ExecSpace(), 0, static_cast<int>(before.extent(0))),
+      KOKKOS_LAMBDA(const int n) {
         for (int k = 0; k < 3; ++k) inverse(n, k) = before(n, k) > 0 ? 1 / mass(n) : 0;
       });
   return inverse;
 }
 
 void scale_tensors(const SpinTensors& tensors, const Array<double>& ratios, bool back) {
-  Kokkos::parallel_for(
-      "percuss::scale_tensors", Range(ExecSpace(), 0, static_cast<int>(tensors.node.extent(0))),
+  parallel_for(
+      "percuss::scale_tensors", RangeOf(ExecSpace(), 0, static_cast<int>(tensors.node.extent(0))),
       KOKKOS_LAMBDA(const int i) {
         for (int k = 0; k < 6; ++k) tensors.excess(i, k) *= back ? 1 / ratios(i) : ratios(i);
       });
@@ -207,8 +209,8 @@ Array<double> FictitiousMasses::find_bounds(const ChunkResults& results) const {
   if (factors_.extent(0) == 0) return results.stable_step;
   const auto least = least_, factors = factors_, least_of_chunk = results.stable_step;
   const ElementBounds bounds = bounds_;
-  Kokkos::parallel_for(
-      "percuss::find_relaxed_bounds", Range(ExecSpace(), 0, bounds.chunks.count), KOKKOS_LAMBDA(const int c) {
+  parallel_for(
+      "percuss::find_relaxed_bounds", RangeOf(ExecSpace(), 0, bounds.chunks.count), KOKKOS_LAMBDA(const int c) {
         double here = INFINITY;
         for (int i = 0; i < count_elements(bounds.chunks, c); ++i) {
           const double bound = bounds(c, i) * factors(bounds.chunks.first_element(c) + i);
@@ -225,8 +227,8 @@ void FictitiousMasses::predict(State& state, const StepTimes& times) {
   const auto weights = weights_;
   const double dt_mean = times.dt_mean;
   const auto v = state.v, inverse_mass = state.inverse_mass;
-  Kokkos::parallel_for(
-      "percuss::pull_by_weight", Range(ExecSpace(), 0, model_.node_count), KOKKOS_LAMBDA(const int n) {
+  parallel_for(
+      "percuss::pull_by_weight", RangeOf(ExecSpace(), 0, model_.node_count), KOKKOS_LAMBDA(const int n) {
         for (int k = 0; k < 3; ++k)
           if (inverse_mass(n, k) > 0) v(n, k) += dt_mean * weights(n) * gravity.g[k];
       });

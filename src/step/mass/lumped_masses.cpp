@@ -1,5 +1,6 @@
 #include "src/step/mass/lumped_masses.hpp"
 
+#include "kernels/core/small_space.hpp"
 #include "kernels/element/element_records.hpp"
 #include "src/mesh/mesh.hpp"
 
@@ -37,8 +38,8 @@ const Rows3<double>& LumpedMasses::sum(const Array<const double>& element_mass) 
   const auto mass = element_mass;
   const auto gyration_square = model_.gyration_square;
   const ElementChunks chunks = model_.chunks;
-  Kokkos::parallel_for(
-      "percuss::lump_masses", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+  parallel_for(
+      "percuss::lump_masses", RangeOf(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         for (int s = chunks.first_slot(c); s < chunks.first_slot(c + 1); ++s) slots(s, 0) = slots(s, 1) = 0;
         const int first = chunks.first_element(c);
         const bool of_shells = is_shell(chunks, c), of_beams = is_beam(chunks, c);

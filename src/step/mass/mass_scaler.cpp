@@ -8,6 +8,7 @@
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/common_record.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 #include "kernels/element/element_records.hpp"
 #include "src/mesh/mesh.hpp"
 #include "src/output/checkpoint/checkpoint_archive.hpp"
@@ -79,8 +80,8 @@ void MassScaler::find_missing(const State& state) {
   const MissingMass find{bounds_, state.element_mass, model_.failing, state.lives};
   const auto missing = missing_, step = target_;
   const ElementChunks chunks = model_.chunks;
-  Kokkos::parallel_for(
-      "percuss::find_missing_mass", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+  parallel_for(
+      "percuss::find_missing_mass", RangeOf(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         for (int i = 0; i < count_elements(chunks, c); ++i)
           missing(find_element(chunks, c, i)) = step(c) > 0 ? find(c, i, step(c)) : 0;
       });
@@ -91,8 +92,8 @@ void MassScaler::find_missing(const State& state) {
 std::vector<double> MassScaler::find_shares() {
   const auto missing = missing_, wanted = wanted_;
   const ElementChunks chunks = model_.chunks;
-  Kokkos::parallel_for(
-      "percuss::sum_missing_mass", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+  parallel_for(
+      "percuss::sum_missing_mass", RangeOf(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         double sum = 0;
         for (int i = 0; i < count_elements(chunks, c); ++i) sum += missing(find_element(chunks, c, i));
         wanted(c) = sum;
@@ -122,8 +123,8 @@ void MassScaler::give(const State& state, const std::vector<double>& shares) {
   const auto elements = state.elements;
   const auto settled = state.results.is_settled;
   const ElementChunks chunks = model_.chunks;
-  Kokkos::parallel_for(
-      "percuss::add_mass", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+  parallel_for(
+      "percuss::add_mass", RangeOf(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         if (!(wanted(c) > 0 && share(c) > 0)) return;
         for (int i = 0; i < count_elements(chunks, c); ++i)
           mass(find_element(chunks, c, i)) += share(c) * missing(find_element(chunks, c, i));
@@ -139,8 +140,8 @@ void MassScaler::sum_lumped(const State& state) {
   if (model_.extra_mass.extent(0) == 0) return;
   const auto lumped = lumped_;
   const auto extra = model_.extra_mass;
-  Kokkos::parallel_for(
-      "percuss::add_extra_mass", Range(ExecSpace(), 0, model_.node_count),
+  parallel_for(
+      "percuss::add_extra_mass", RangeOf(ExecSpace(), 0, model_.node_count),
       KOKKOS_LAMBDA(const int n) { lumped(n, 0) += extra(n); });
 }
 
@@ -148,8 +149,8 @@ void MassScaler::sum_lumped(const State& state) {
 void MassScaler::scale_tensors(const State& state) const {
   const SpinInertia inertia = state.spin_inertia();
   const auto lumped = lumped_;
-  Kokkos::parallel_for(
-      "percuss::scale_tensors", Range(ExecSpace(), 0, static_cast<int>(inertia.tensors.node.extent(0))),
+  parallel_for(
+      "percuss::scale_tensors", RangeOf(ExecSpace(), 0, static_cast<int>(inertia.tensors.node.extent(0))),
       KOKKOS_LAMBDA(const int i) {
         const int n = inertia.tensors.node(i);
         if (!(inertia.number(n) > 0)) return;
@@ -164,8 +165,8 @@ void MassScaler::set_nodes(State& state) const {
   const auto whole = state.lumped_mass, mass = state.mass, inertia = state.inertia;
   const auto inverse_mass = state.inverse_mass, inverse_inertia = state.inverse_inertia;
   const bool has_spins = model_.has_rotations;
-  Kokkos::parallel_for(
-      "percuss::set_node_masses", Range(ExecSpace(), 0, model_.node_count), KOKKOS_LAMBDA(const int n) {
+  parallel_for(
+      "percuss::set_node_masses", RangeOf(ExecSpace(), 0, model_.node_count), KOKKOS_LAMBDA(const int n) {
         whole(n) = lumped(n, 0);
         if (mass(n) == 0) return;
         mass(n) = lumped(n, 0);

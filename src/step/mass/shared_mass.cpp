@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 #include "kernels/element/element_records.hpp"
 #include "src/mesh/mesh.hpp"
 
@@ -47,15 +48,15 @@ void SharedMass::sum(Column column, LumpedMasses& summer, const Value& value) {
   const auto values = values_;
   const auto shares = shares_;
   const ElementChunks chunks = model_.chunks;
-  Kokkos::parallel_for(
-      "percuss::set_shared_values", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+  parallel_for(
+      "percuss::set_shared_values", RangeOf(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         for (int e = chunks.first_element(c); e < chunks.first_element(c + 1); ++e)
           values(e) = shares(c) != 0 ? value(e) : 0;
       });
   const Rows3<double> lumped = summer.sum(values_), nodes = nodes_;
   const int k = column;
-  Kokkos::parallel_for(
-      "percuss::take_shared_sums", Range(ExecSpace(), 0, model_.node_count),
+  parallel_for(
+      "percuss::take_shared_sums", RangeOf(ExecSpace(), 0, model_.node_count),
       KOKKOS_LAMBDA(const int n) { nodes(n, k) = lumped(n, 0); });
 }
 
@@ -68,8 +69,8 @@ void SharedMass::spread(const Array<const double>& element_mass, LumpedMasses& s
   const auto shares = shares_;
   const Rows3<const double> nodes = nodes_;
   const ElementChunks chunks = model_.chunks;
-  Kokkos::parallel_for(
-      "percuss::spread_missing_mass", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+  parallel_for(
+      "percuss::spread_missing_mass", RangeOf(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         if (shares(c) == 0) return;
         for (int i = 0; i < count_elements(chunks, c); ++i) {
           const int e = find_element(chunks, c, i);

@@ -1,5 +1,7 @@
 #include "src/step/model/element_bounds.hpp"
 
+#include "kernels/core/small_space.hpp"
+
 namespace percuss {
 
 ElementBounds::ElementBounds(const Model& model) : chunks(model.chunks) {
@@ -13,8 +15,8 @@ std::vector<double> ElementBounds::list() const {
   const auto count = to_host(chunks.first_element)(static_cast<std::size_t>(chunks.count));
   const Array<double> all("percuss::bounds_of_elements", static_cast<std::size_t>(count));
   const ElementBounds bounds = *this;
-  Kokkos::parallel_for(
-      "percuss::list_bounds", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+  parallel_for(
+      "percuss::list_bounds", RangeOf(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         for (int i = 0; i < count_elements(bounds.chunks, c); ++i)
           all(find_element(bounds.chunks, c, i)) = bounds(c, i);
       });

@@ -6,6 +6,7 @@
 #include "kernels/core/common_record.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/same_bits.hpp"
+#include "kernels/core/small_space.hpp"
 #include "kernels/element/element_records.hpp"
 #include "kernels/element/hex8/hex_record.hpp"
 #include "kernels/shell/shell_failure.hpp"
@@ -20,8 +21,8 @@ namespace {
 Array<Real> make_element_records(const Model& model) {
   const auto elements = make_streamed<Array<Real>>("percuss::elements", model.state_size);
   const ElementChunks chunks = model.chunks;
-  Kokkos::parallel_for(
-      "percuss::start_elements", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+  parallel_for(
+      "percuss::start_elements", RangeOf(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         if (is_shell(chunks, c) || is_beam(chunks, c)) return;
         for (int i = 0; i < count_lanes(chunks, c); ++i) {
           const LaneRecord<Real> record = find_record(chunks, elements, c, i);
@@ -35,8 +36,8 @@ Array<Real> make_element_records(const Model& model) {
 void set_element_masses(const Model& model, const Array<Real>& elements) {
   const ElementChunks chunks = model.chunks;
   const Array<double> mass = model.element_mass;
-  Kokkos::parallel_for(
-      "percuss::set_element_masses", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+  parallel_for(
+      "percuss::set_element_masses", RangeOf(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         for (int i = 0; i < count_lanes(chunks, c); ++i)
           find_record(chunks, elements, c, i)[CommonRecord::mass] = static_cast<Real>(mass(find_element(chunks, c, i)));
       });
@@ -47,8 +48,8 @@ void set_start_history(const Model& model, const Array<Real>& elements) {
   if (model.start_history.values.extent(0) == 0) return;
   const ElementChunks chunks = model.chunks;
   const StartHistory start = model.start_history;
-  Kokkos::parallel_for(
-      "percuss::set_start_history", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+  parallel_for(
+      "percuss::set_start_history", RangeOf(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         const int points = chunks.points(c);
         const bool layered = is_shell(chunks, c);
         const int to_point = layered ? find_layer_size(chunks, c) : 1, to_scalar = layered ? 1 : points;
@@ -88,8 +89,9 @@ void set_point_volumes(const Model& model, const Array<int>& ids, const Array<Re
   constexpr int place = HexRecord::point_volumes<HexKind::full>;
   const ElementChunks chunks = model.chunks;
   const Rows3<double> x = model.start;
-  Kokkos::parallel_for(
-      "percuss::set_point_volumes", Range(ExecSpace(), 0, static_cast<int>(ids.extent(0))), KOKKOS_LAMBDA(const int i) {
+  parallel_for(
+      "percuss::set_point_volumes", RangeOf(ExecSpace(), 0, static_cast<int>(ids.extent(0))),
+      KOKKOS_LAMBDA(const int i) {
         const int c = ids(i);
         for (int e = 0; e < count_lanes(chunks, c); ++e) {
           double excess[8];
@@ -110,8 +112,8 @@ void start_shells(const Model& model, const Array<Real>& elements) {
   if (!model.has_rotations) return;
   const ElementChunks chunks = model.chunks;
   const Array<double> gyration_square = model.gyration_square, thickness = model.start_thickness;
-  Kokkos::parallel_for(
-      "percuss::start_shells", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+  parallel_for(
+      "percuss::start_shells", RangeOf(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         if (!is_shell(chunks, c)) return;
         for (int i = 0; i < count_lanes(chunks, c); ++i) {
           const LaneRecord<Real> record = find_record(chunks, elements, c, i);
@@ -158,8 +160,8 @@ void start_beams(const Model& model, const Array<Real>& elements) {
   const Array<double> gyration_square = model.gyration_square;  // empty if all are trusses
   const Rows3<double> axes = model.start_beam_axes;
   const auto parameters = model.others->beams.parameters;
-  Kokkos::parallel_for(
-      "percuss::start_beams", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+  parallel_for(
+      "percuss::start_beams", RangeOf(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         if (!is_beam(chunks, c)) return;
         for (int i = 0; i < count_lanes(chunks, c); ++i) {
           const LaneRecord<Real> record = find_record(chunks, elements, c, i);
@@ -204,8 +206,8 @@ void start_layers(const Model& model, const ElementLives& lives) {
   const FailingChunks failing = model.failing;
   if (failing.layer_scalars == 0) return;
   const ElementChunks chunks = model.chunks;
-  Kokkos::parallel_for(
-      "percuss::start_layers", Range(ExecSpace(), 0, static_cast<int>(failing.list.extent(0))),
+  parallel_for(
+      "percuss::start_layers", RangeOf(ExecSpace(), 0, static_cast<int>(failing.list.extent(0))),
       KOKKOS_LAMBDA(const int i) {
         const int c = failing.list(i);
         if (!is_shell(chunks, c)) return;
@@ -260,8 +262,8 @@ void rest_uncomputed_chunks(const Model& model, const ChunkResults& results) {
   if (model.is_uncomputed_chunk.extent(0) == 0) return;
   const Array<int> is_uncomputed = model.is_uncomputed_chunk;
   const ElementChunks chunks = model.chunks;
-  Kokkos::parallel_for(
-      "percuss::rest_uncomputed_chunks", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+  parallel_for(
+      "percuss::rest_uncomputed_chunks", RangeOf(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         if (is_uncomputed(c) == 0) return;
         results.stable_step(c) = INFINITY;
         results.controlling_element(c) = chunks.first_element(c);
@@ -363,8 +365,8 @@ std::uint64_t hash_nodes(const Model& model, const State& state) {
   const auto owned = model.owned_nodes;
   const auto numbers = model.node_numbers;
   std::uint64_t hash = 0;
-  Kokkos::parallel_reduce(
-      "percuss::hash_nodes", Range(ExecSpace(), 0, owned.count),
+  parallel_reduce(
+      "percuss::hash_nodes", RangeOf(ExecSpace(), 0, owned.count),
       KOKKOS_LAMBDA(const int c, std::uint64_t& sum) {
         for (int n = owned.first(c); n < owned.end(c); ++n) {
           std::uint64_t h = mix_bits(static_cast<std::uint64_t>(numbers(n)));
@@ -402,8 +404,8 @@ std::uint64_t hash_elements(const Model& model, const State& state) {
   const ElementLives lives = state.lives;
   const auto first_numbers = model.first_elements;
   std::uint64_t hash = 0;
-  Kokkos::parallel_reduce(
-      "percuss::hash_elements", Range(ExecSpace(), 0, chunks.count),
+  parallel_reduce(
+      "percuss::hash_elements", RangeOf(ExecSpace(), 0, chunks.count),
       KOKKOS_LAMBDA(const int c, std::uint64_t& sum) {
         for (int i = 0; i < count_elements(chunks, c); ++i) {
           const LaneRecord<const Real> record = find_record(chunks, elements, c, i);

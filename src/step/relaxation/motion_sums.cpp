@@ -4,6 +4,7 @@
 
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 
 namespace percuss {
 
@@ -20,8 +21,8 @@ void MotionSums::keep(const State& state, double dt_mean) {
   if (model_.has_rotations) Kokkos::deep_copy(moment_, state.moment);
   if (contact_.extent(0) == 0) return;
   const auto contact = contact_, impulse = state.impulse;
-  Kokkos::parallel_for(
-      "percuss::keep_contact", Range(ExecSpace(), 0, model_.node_count), KOKKOS_LAMBDA(const int n) {
+  parallel_for(
+      "percuss::keep_contact", RangeOf(ExecSpace(), 0, model_.node_count), KOKKOS_LAMBDA(const int n) {
         for (int k = 0; k < 3; ++k) contact(n, k) = impulse(n, k) / dt_mean;
       });
 }

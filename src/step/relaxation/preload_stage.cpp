@@ -10,6 +10,7 @@
 #include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 #include "src/deck/laws/material_properties.hpp"
 #include "src/error.hpp"
 #include "src/index.hpp"
@@ -198,8 +199,8 @@ LackingForces shorten_lacking(const Model& model, const BeamLists& lists, const 
   const ChunkResults results = state.results;
   const double force = wanted.force, gain = wanted.gain;
   LackingForces found;
-  Kokkos::parallel_reduce(
-      "percuss::preload_beams", Range(ExecSpace(), 0, static_cast<int>(chunks.extent(0))),
+  parallel_reduce(
+      "percuss::preload_beams", RangeOf(ExecSpace(), 0, static_cast<int>(chunks.extent(0))),
       KOKKOS_LAMBDA(const int i, double& largest, double& smallest) {
         const int c = chunks(i);
         const BeamParameters& parameters = beams(lanes.chunks.parameters(c));
@@ -292,18 +293,18 @@ void PreloadStage::find_elements(const ChunkedMesh& chunked, Layer& layer) const
 void PreloadStage::shorten(const Layer& layer, double strain, State& state) const {
   Shortening by = make_shortening(layer.moduli, layer.is_kirchhoff, *layer.deck.normal);
   by.strain = strain;
-  Kokkos::parallel_for("percuss::add_preload", Range(ExecSpace(), 0, static_cast<int>(layer.chunks.extent(0))),
-                       ShortenLayer{{model_.chunks, state.elements},
-                                    {model_.chunks, state.x},
-                                    model_.others->beams.parameters,
-                                    model_.thickness_rules,
-                                    layer.chunks,
-                                    layer.first,
-                                    layer.elements,
-                                    layer.volume,
-                                    layer.axes,
-                                    by,
-                                    state.results});
+  parallel_for("percuss::add_preload", RangeOf(ExecSpace(), 0, static_cast<int>(layer.chunks.extent(0))),
+               ShortenLayer{{model_.chunks, state.elements},
+                            {model_.chunks, state.x},
+                            model_.others->beams.parameters,
+                            model_.thickness_rules,
+                            layer.chunks,
+                            layer.first,
+                            layer.elements,
+                            layer.volume,
+                            layer.axes,
+                            by,
+                            state.results});
 }
 
 /// Gives each beam what its own force lacks. Returns the largest of that, with its sign; the same on all ranks.

@@ -13,6 +13,7 @@
 #include "comm/halo/node_copies.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/same_bits.hpp"
+#include "kernels/core/small_space.hpp"
 #include "kernels/element/element_records.hpp"
 #include "src/deck/yaml/deck_values.hpp"
 #include "src/error.hpp"
@@ -87,8 +88,8 @@ std::array<Rows3<double>, 2> spread_tensors(const Model& model, const State& sta
                                              Rows3<double>("percuss::tensor_rests", nodes)};
   const SpinTensors of = state.spin_tensors;
   const auto diagonal = by_node[0], rest = by_node[1];
-  Kokkos::parallel_for(
-      "percuss::spread_tensors", Range(ExecSpace(), 0, static_cast<int>(of.node.extent(0))),
+  parallel_for(
+      "percuss::spread_tensors", RangeOf(ExecSpace(), 0, static_cast<int>(of.node.extent(0))),
       KOKKOS_LAMBDA(const int i) {
         for (int k = 0; k < 3; ++k) {
           diagonal(of.node(i), k) = of.excess(i, k);
@@ -101,8 +102,8 @@ std::array<Rows3<double>, 2> spread_tensors(const Model& model, const State& sta
 void collect_tensors(const std::array<Rows3<double>, 2>& by_node, const State& state) {
   const SpinTensors of = state.spin_tensors;
   const auto diagonal = by_node[0], rest = by_node[1];
-  Kokkos::parallel_for(
-      "percuss::collect_tensors", Range(ExecSpace(), 0, static_cast<int>(of.node.extent(0))),
+  parallel_for(
+      "percuss::collect_tensors", RangeOf(ExecSpace(), 0, static_cast<int>(of.node.extent(0))),
       KOKKOS_LAMBDA(const int i) {
         for (int k = 0; k < 3; ++k) {
           of.excess(i, k) = diagonal(of.node(i), k);

@@ -5,6 +5,7 @@
 
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 
 namespace percuss {
 
@@ -29,8 +30,8 @@ void NodeRow::fill(const Model& model, const State& state, const Array<const int
   const OwnRows out = own;
   const Array<const int> nodes = node;
   const bool turns = model.has_rotations;
-  Kokkos::parallel_for(
-      "percuss::gather_joined_nodes", Range(ExecSpace(), 0, static_cast<int>(node.extent(0))),
+  parallel_for(
+      "percuss::gather_joined_nodes", RangeOf(ExecSpace(), 0, static_cast<int>(node.extent(0))),
       KOKKOS_LAMBDA(const int i) {
         const int n = nodes(i);
         for (std::size_t k = 0; k < 3; ++k) {
@@ -61,8 +62,8 @@ void ForcedRow<with_velocity, with_spin>::fill(const Model& model, const State& 
   const bool turns = model.has_rotations;
   const bool may_free = model.switches.switches_conditions;  // what is held now may move in the next step
   const Array<const int> body_of_node = model.rigid.body_of_node;
-  Kokkos::parallel_for(
-      "percuss::gather_forced_nodes", Range(ExecSpace(), 0, static_cast<int>(node.extent(0))),
+  parallel_for(
+      "percuss::gather_forced_nodes", RangeOf(ExecSpace(), 0, static_cast<int>(node.extent(0))),
       KOKKOS_LAMBDA(const int i) {
         const int n = nodes(i);
         double mobility = 0;

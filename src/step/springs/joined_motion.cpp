@@ -1,6 +1,7 @@
 #include "src/step/springs/joined_motion.hpp"
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 
 namespace percuss {
 
@@ -38,8 +39,8 @@ void give_joined_motion(const ConnectedNodes& connected, const std::vector<Joine
   Kokkos::deep_copy(rows, host);
   const auto v = state.v, impulse = state.weld_impulse;
   const auto nodes = connected.local_node;
-  Kokkos::parallel_for(
-      "percuss::set_joined_nodes", Range(ExecSpace(), 0, static_cast<int>(count)), KOKKOS_LAMBDA(const int i) {
+  parallel_for(
+      "percuss::set_joined_nodes", RangeOf(ExecSpace(), 0, static_cast<int>(count)), KOKKOS_LAMBDA(const int i) {
         for (int k = 0; k < 3; ++k) {
           v(nodes(i), k) = rows(i, k);
           impulse(nodes(i), k) = rows(i, 3 + k);

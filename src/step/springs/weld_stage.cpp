@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 #include "src/index.hpp"
 #include "src/output/checkpoint/checkpoint_archive.hpp"
 
@@ -197,8 +198,8 @@ void WeldStage::give_back(const State& state) const {
   const auto v = state.v, w = state.w, impulse = state.weld_impulse, moment = state.weld_moment;
   const auto nodes = model_.welds.local_node;
   const bool turns = model_.has_rotations;
-  Kokkos::parallel_for(
-      "percuss::set_welded_nodes", Range(ExecSpace(), 0, static_cast<int>(count)), KOKKOS_LAMBDA(const int i) {
+  parallel_for(
+      "percuss::set_welded_nodes", RangeOf(ExecSpace(), 0, static_cast<int>(count)), KOKKOS_LAMBDA(const int i) {
         const int n = nodes(i);
         for (int k = 0; k < 3; ++k) {
           v(n, k) = rows(i, k);

@@ -4,6 +4,7 @@
 
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/same_bits.hpp"
+#include "kernels/core/small_space.hpp"
 #include "kernels/element/elastic_operator.hpp"
 #include "src/step/model/element_blocks.hpp"
 #include "src/step/stable_step/lanczos.hpp"
@@ -60,8 +61,8 @@ void MeshEigenvalue::start_vector() {
   const auto numbers = model_.node_numbers;
   const auto inverse_mass = model_.inverse_mass;
   const auto next = next_;
-  Kokkos::parallel_for(
-      "percuss::start_lanczos", Range(ExecSpace(), 0, model_.node_count), KOKKOS_LAMBDA(const int n) {
+  parallel_for(
+      "percuss::start_lanczos", RangeOf(ExecSpace(), 0, model_.node_count), KOKKOS_LAMBDA(const int n) {
         for (int k = 0; k < 3; ++k) {
           next(n, k) = sqrt(inverse_mass(n, k)) * find_random(static_cast<std::uint64_t>(3 * numbers(n) + k));
         }
@@ -86,8 +87,8 @@ void MeshEigenvalue::subtract_previous(double beta) {
   const auto next = next_, before = before_;
   const auto inverse_mass = model_.inverse_mass;
   assemble_slots(ExecSpace(), model_.nodes_to_slots, slots_, next_);
-  Kokkos::parallel_for(
-      "percuss::subtract_previous", Range(ExecSpace(), 0, model_.node_count), KOKKOS_LAMBDA(const int n) {
+  parallel_for(
+      "percuss::subtract_previous", RangeOf(ExecSpace(), 0, model_.node_count), KOKKOS_LAMBDA(const int n) {
         for (int k = 0; k < 3; ++k) next(n, k) = -inverse_mass(n, k) * next(n, k) - beta * before(n, k);
       });
 }
@@ -102,8 +103,8 @@ double MeshEigenvalue::take_out() {
       });
   sum_over_ranks(model_.ranks, sums);
   const double alpha = sums[0].round();
-  Kokkos::parallel_for(
-      "percuss::take_out", Range(ExecSpace(), 0, model_.node_count), KOKKOS_LAMBDA(const int n) {
+  parallel_for(
+      "percuss::take_out", RangeOf(ExecSpace(), 0, model_.node_count), KOKKOS_LAMBDA(const int n) {
         for (int k = 0; k < 3; ++k) next(n, k) -= alpha * vector(n, k);
       });
   return alpha;
@@ -120,8 +121,8 @@ double MeshEigenvalue::normalise() {
   sum_over_ranks(model_.ranks, sums);
   const double length = std::sqrt(sums[0].round());
   const double scale = length > 0 ? 1 / length : 0;
-  Kokkos::parallel_for(
-      "percuss::normalise", Range(ExecSpace(), 0, model_.node_count), KOKKOS_LAMBDA(const int n) {
+  parallel_for(
+      "percuss::normalise", RangeOf(ExecSpace(), 0, model_.node_count), KOKKOS_LAMBDA(const int n) {
         for (int k = 0; k < 3; ++k) next(n, k) *= scale;
       });
   std::swap(before_, vector_);

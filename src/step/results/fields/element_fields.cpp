@@ -4,6 +4,7 @@
 
 #include "kernels/core/common_record.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 #include "kernels/element/element_records.hpp"
 #include "kernels/element/failure_criteria.hpp"
 #include "kernels/element/hex8/point_mean.hpp"
@@ -192,8 +193,8 @@ std::vector<double> read_all(const Model& model, const State& state, const Read&
   const ElementChunks chunks = model.chunks;
   const auto elements = state.elements;
   const Lives lives{model.failing, state.lives};
-  Kokkos::parallel_for(
-      "percuss::read_elements", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+  parallel_for(
+      "percuss::read_elements", RangeOf(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         for (int e = chunks.first_element(c); e < chunks.first_element(c + 1); ++e) {
           double* const row = &out(Read::components * static_cast<std::size_t>(e));
           read(chunks, c, e, find_record(chunks, elements, c, e - chunks.first_element(c)), row);
@@ -211,8 +212,8 @@ std::vector<double> read_some(const Model& model, const State& state, const std:
   const ElementChunks chunks = model.chunks;
   const auto elements = state.elements;
   const Lives lives{model.failing, state.lives};
-  Kokkos::parallel_for(
-      "percuss::read_some_elements", Range(ExecSpace(), 0, static_cast<int>(wanted.size())),
+  parallel_for(
+      "percuss::read_some_elements", RangeOf(ExecSpace(), 0, static_cast<int>(wanted.size())),
       KOKKOS_LAMBDA(const int i) {
         const int c = find_chunk(chunks, list(i));
         double* const row = &out(Read::components * static_cast<std::size_t>(i));
@@ -237,15 +238,15 @@ std::vector<double> read_lives(const Model& model, const State& state, const Ele
   const Lives lives{model.failing, state.lives};
   if (!is_of_all) {
     const Array<int> list = to_view("percuss::wanted_elements", *of.some());
-    Kokkos::parallel_for(
-        "percuss::read_some_lives", Range(ExecSpace(), 0, static_cast<int>(count)), KOKKOS_LAMBDA(const int i) {
+    parallel_for(
+        "percuss::read_some_lives", RangeOf(ExecSpace(), 0, static_cast<int>(count)), KOKKOS_LAMBDA(const int i) {
           const int c = find_chunk(chunks, list(i));
           out(i) = read(lives, c, list(i) - chunks.first_element(c));
         });
     return copy_out(out);
   }
-  Kokkos::parallel_for(
-      "percuss::read_lives", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+  parallel_for(
+      "percuss::read_lives", RangeOf(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         const int first = chunks.first_element(c);
         for (int e = first; e < chunks.first_element(c + 1); ++e) out(e) = read(lives, c, e - first);
       });

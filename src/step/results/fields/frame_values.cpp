@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 #include "src/deck/deck.hpp"
 #include "src/index.hpp"
 
@@ -14,8 +15,8 @@ namespace {
 std::vector<double> list_some_rows(const Rows3<double>& rows, const std::vector<int>& nodes) {
   const Array<int> list = to_view("percuss::wanted_nodes", nodes);
   const Array<double> out("percuss::node_rows", 3 * nodes.size());
-  Kokkos::parallel_for(
-      "percuss::read_some_nodes", Range(ExecSpace(), 0, static_cast<int>(nodes.size())), KOKKOS_LAMBDA(const int i) {
+  parallel_for(
+      "percuss::read_some_nodes", RangeOf(ExecSpace(), 0, static_cast<int>(nodes.size())), KOKKOS_LAMBDA(const int i) {
         for (int k = 0; k < 3; ++k)
           out(3 * static_cast<std::size_t>(i) + static_cast<std::size_t>(k)) = rows(list(i), k);
       });
