@@ -4,6 +4,7 @@
 
 namespace percuss {
 
+#ifndef PERCUSS_ON_DEVICE  // its kernels are given to Kokkos one by one
 void run_parts(const char* label, const RangeOf& range, void (*run)(const void*, int, int, int), const void* kernel) {
   const int first = range.first, count = range.last - first;
   if (count <= 0) return;
@@ -20,5 +21,6 @@ void run_parts(const char* label, const RangeOf& range, void (*run)(const void*,
     run(kernel, place(part), place(part + 1), part);
   });
 }
+#endif
 
 }  // namespace percuss

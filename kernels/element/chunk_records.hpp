@@ -230,6 +230,10 @@ struct ChunkScratch {
   }
 };
 
+/// Calls run(kernel, team) for each team of a policy.
+void run_teams(const char* label, const ChunkPolicy& policy, void (*run)(const void*, const ChunkMember&),
+               const void* kernel);
+
 /// Launches a kernel over chunks, a team each, which has so many bytes of scratch beside that of its slots. In single
 /// precision only hexahedra exist, and no kernel is compiled that works in double.
 template <class Kernel>
@@ -240,7 +244,13 @@ void launch_chunks(const char* label, const ExecSpace& space, const ElementChunk
   PERCUSS_EXPECT(is_ascending(to_host(list), 0, count));
   using Scratch = typename Kernel::Scratch;
   if constexpr (std::is_same_v<typename Scratch::Scalar, Real>) {
-    Kokkos::parallel_for(label, Scratch::make_policy(space, count, chunks.largest_slot_count, more_bytes), kernel);
+    const ChunkPolicy policy = Scratch::make_policy(space, count, chunks.largest_slot_count, more_bytes);
+#ifdef PERCUSS_ON_DEVICE
+    Kokkos::parallel_for(label, policy, kernel);
+#else
+    const auto run = [](const void* of, const ChunkMember& team) { (*static_cast<const Kernel*>(of))(team); };
+    run_teams(label, policy, run, &kernel);
+#endif
   }
 }
 
