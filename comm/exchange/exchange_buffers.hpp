@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "kernels/core/views.hpp"
 
 namespace percuss {
@@ -26,7 +27,7 @@ Array<T> copy_to_view(const std::string& label, const std::vector<T>& values) {
   Array<T> view(Kokkos::view_alloc(label, Kokkos::WithoutInitializing), values.size());
   const auto host = Kokkos::create_mirror_view(view);
   for (std::size_t i = 0; i < values.size(); ++i) host(i) = values[i];
-  Kokkos::deep_copy(view, host);
+  copy_values(view, host);
   return view;
 }
 

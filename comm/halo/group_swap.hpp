@@ -11,6 +11,7 @@
 #include "comm/exchange/exchange_buffers.hpp"
 #include "comm/halo/halo_plan.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "kernels/core/views.hpp"
 
 namespace percuss {
@@ -42,7 +43,7 @@ class GroupSwap {
           for (int k = 0; k < 4 * Groups; ++k) packed(i, k) = rows(slots(i), k);
         });
     space.fence();
-    Kokkos::deep_copy(send_buffer_, send_);
+    copy_values(send_buffer_, send_);
     data_.begin<Item>(exchange_, as_items(send_buffer_), as_items(receive_buffer_));
     rows_ = rows;
   }
@@ -50,7 +51,7 @@ class GroupSwap {
   /// Returns when the remote part of the rows is filled. Throws MpiError.
   void end() {
     data_.end();
-    Kokkos::deep_copy(receive_, receive_buffer_);
+    copy_values(receive_, receive_buffer_);
     const Rows rows = rows_;
     const Packed packed = receive_;
     const int first = first_remote_slot_;

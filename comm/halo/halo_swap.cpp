@@ -5,6 +5,7 @@
 
 #include "comm/exchange/exchange_buffers.hpp"
 #include "kernels/core/contract.hpp"
+#include "kernels/core/view_copy.hpp"
 
 namespace percuss {
 
@@ -23,13 +24,13 @@ void HaloSwap::begin(const ExecSpace& space, const Rows3<double>& slot_values) {
   remote_values_ = Kokkos::subview(slot_values, remote, Kokkos::ALL);
   receive_buffer_ = Kokkos::create_mirror_view(remote_values_);
   pack_rows(space, send_slots_, slot_values, send_values_);
-  Kokkos::deep_copy(send_buffer_, send_values_);
+  copy_values(send_buffer_, send_values_);
   data_.begin<RowItem>(exchange_, as_items(send_buffer_), as_items(receive_buffer_));
 }
 
 void HaloSwap::end() {
   data_.end();
-  Kokkos::deep_copy(remote_values_, receive_buffer_);
+  copy_values(remote_values_, receive_buffer_);
 }
 
 }  // namespace percuss

@@ -4,6 +4,7 @@
 
 #include "comm/exchange/exchange_buffers.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 
 namespace percuss {
 
@@ -74,13 +75,13 @@ void NodeCopies::begin(const ExecSpace& space, const std::vector<Rows3<const dou
         });
   }
   space.fence();
-  Kokkos::deep_copy(send_buffer_, send_values_);
+  copy_values(send_buffer_, send_values_);
   data_.begin<RowItem>(exchange_, as_items(send_buffer_), as_items(receive_buffer_));
 }
 
 void NodeCopies::end(const ExecSpace& space, const std::vector<Rows3<double>>& values) {
   data_.end();
-  Kokkos::deep_copy(receive_values_, receive_buffer_);
+  copy_values(receive_values_, receive_buffer_);
   const Array<const int> nodes = receive_nodes_;
   const Rows3<const double> received = receive_values_;
   const int fields = fields_;

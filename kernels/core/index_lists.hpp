@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 
 namespace percuss {
 
@@ -14,7 +15,7 @@ std::remove_const_t<T> read_value(const WorkSpace& space, const Array<T>& view, 
   const auto source = Kokkos::subview(view, i);
   Kokkos::View<std::remove_const_t<T>, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> target(&value);
   space.fence();
-  Kokkos::deep_copy(target, source);
+  copy_values(target, source);
   return value;
 }
 

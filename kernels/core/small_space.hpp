@@ -208,13 +208,4 @@ void keep_and_reserve(const WorkSpace& space, View& view, int kept, int n) {
       "contact::keep", RangeOf(space, 0, kept), KOKKOS_LAMBDA(int i) { fresh(i) = old(i); });
 }
 
-/// Sets all values of a view.
-template <class View, class T>
-void fill(const WorkSpace& space, const View& view, const T& value) {
-#if defined(PERCUSS_SMALL_SPACE)
-  if (space.is_small()) return Kokkos::deep_copy(SmallSpace(), view, value);
-#endif
-  Kokkos::deep_copy(space.all(), view, value);
-}
-
 }  // namespace percuss

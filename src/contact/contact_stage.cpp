@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kernels/core/contract.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/contact/contact_stage_impl.hpp"
 #include "src/contact/history/contact_checkpoint.hpp"
 #include "src/contact/overlap/part_gaps.hpp"
@@ -111,7 +112,7 @@ void ContactStage::Impl::refuse_ties_held_apart(const ContactReport& report) con
 void ContactStage::Impl::forget_spring_energy() {
   forgets_springs = is_relaxing;
   for (const Array<double>& held : {history.held, history.edges.held})
-    if (held.extent(0) > 0) Kokkos::deep_copy(held, 0.0);
+    if (held.extent(0) > 0) set_values(held, 0.0);
 }
 
 /// What the last step did says nothing about this one.

@@ -4,6 +4,7 @@
 
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/contact/contact_stage_impl.hpp"
 #include "src/contact/surface/number_map.hpp"
 #include "src/index.hpp"
@@ -33,7 +34,7 @@ Rows3<const double> ContactStage::Impl::place_at_start() const {
   const auto host = Kokkos::create_mirror_view(x);
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
     for (std::size_t k = 0; k < 3; ++k) host(n, k) = mesh.nodes[n][k];
-  Kokkos::deep_copy(x, host);
+  copy_values(x, host);
   return x;
 }
 

@@ -8,6 +8,7 @@
 #include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "kernels/element/element_records.hpp"
 #include "kernels/element/failure.hpp"
 #include "src/index.hpp"
@@ -52,9 +53,9 @@ void empty_nodes(const std::vector<int>& nodes, const Array<double>& mass, const
     m(at(n)) = 0;
     for (std::size_t k = 0; k < 3; ++k) inverse_m(at(n), k) = v(at(n), k) = 0;
   }
-  Kokkos::deep_copy(mass, m);
-  Kokkos::deep_copy(inverse, inverse_m);
-  Kokkos::deep_copy(velocity, v);
+  copy_values(mass, m);
+  copy_values(inverse, inverse_m);
+  copy_values(velocity, v);
 }
 
 std::vector<int> list_loaded_elements(const Deck& deck, const Mesh& mesh) {
@@ -197,7 +198,7 @@ void Erosion::unload_nodes(const std::vector<int>& vanished, State& state, bool 
   if (loads.count == 0) return;
   if (loads.share.extent(0) == 0) {
     loads.share = Array<double>("percuss::nodal_share", at(loads.count));
-    Kokkos::deep_copy(loads.share, 1.0);
+    set_values(loads.share, 1.0);
   }
   const auto share = to_host(loads.share);
   const auto node = to_host(loads.node);
@@ -216,7 +217,7 @@ void Erosion::unload_nodes(const std::vector<int>& vanished, State& state, bool 
     state.books.external_work.add(-0.5 * state.dt * power);
   }
   state.books.external_work.normalize();
-  Kokkos::deep_copy(loads.share, share);
+  copy_values(loads.share, share);
 }
 
 /// Pressure goes with the element that it acts on, and with it the half step's work of its force at n.
@@ -225,7 +226,7 @@ void Erosion::unload_faces(State& state, bool is_booked) const {
   if (faces.count == 0) return;
   if (faces.share.extent(0) == 0) {
     faces.share = Array<double>("percuss::pressure_share", at(faces.count));
-    Kokkos::deep_copy(faces.share, 1.0);
+    set_values(faces.share, 1.0);
   }
   const auto share = to_host(faces.share);
   const auto nodes = to_host(faces.nodes);
@@ -242,7 +243,7 @@ void Erosion::unload_faces(State& state, bool is_booked) const {
     state.books.external_work.add(-0.5 * state.dt * power);
   }
   state.books.external_work.normalize();
-  Kokkos::deep_copy(faces.share, share);
+  copy_values(faces.share, share);
 }
 
 /// The work that went into dead elements leaves with them.

@@ -5,6 +5,7 @@
 #include "kernels/core/contract.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/deck/contact_springs.hpp"
 #include "src/step/phases.hpp"
 
@@ -235,7 +236,7 @@ void Stepper::integrate_spins(State& state, const StepTimes& times) {
   if (state.spin_tensors.any()) predict_tensor_spins(space_, state.spin_inertia(), state.turning_nodes(times.dt));
   const bool are_followed = state.step == 0 && state.spin_tensors.any() && state.held_spins.count > 0;
   Rows3<double> start("percuss::first_spins", are_followed ? state.w.extent(0) : 0);
-  if (are_followed) Kokkos::deep_copy(space_, start, state.w_before);
+  if (are_followed) copy_values(start, state.w_before);
   if (state.step == 0) mirror_velocities(space_, state.w, state.w_before);
   for (Action* const action : order_) action->change_spins(state, times);
   if (are_followed) mirror_followers(state, start);

@@ -3,6 +3,7 @@
 #include "kernels/contact/check/node_check.hpp"
 #include "kernels/contact/surface/listed_faces.hpp"
 #include "kernels/core/index_lists.hpp"
+#include "kernels/core/view_copy.hpp"
 
 namespace percuss {
 namespace {
@@ -242,7 +243,7 @@ void reserve_watch(const ContactSurface& surface, const CandidateList& candidate
   reserve(table.checked_at, surface.num_nodes);
   reserve(table.is_still, surface.num_nodes);
   reserve(table.known, contact_limits::max_touches * surface.num_nodes);
-  Kokkos::deep_copy(table.checked_at, std::int64_t{-1});
+  set_values(table.checked_at, std::int64_t{-1});
 }
 
 /// Marks the nodes for which what the last check found still holds: TouchTable::checked_at is then this check, and -1

@@ -8,6 +8,7 @@
 #include "kernels/contact/surface/contact_state.hpp"
 #include "kernels/core/same_bits.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 
 namespace percuss {
 
@@ -26,8 +27,8 @@ class StillItems {
     reserve(last_checks_, items);
     reserve(moved_, items);
     reserve(places_, items);
-    Kokkos::deep_copy(last_checks_, std::int64_t{-1});
-    Kokkos::deep_copy(moved_, 1);
+    set_values(last_checks_, std::int64_t{-1});
+    set_values(moved_, 1);
   }
 
   /// Of a check so many of the items were still: if these are few, they are not looked for in the next ones.

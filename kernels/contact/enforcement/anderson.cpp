@@ -7,6 +7,7 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 
 namespace percuss {
 namespace {
@@ -47,7 +48,7 @@ void subtract_differences(const std::vector<double>& gamma, const Vectors& dg, c
                           const Array<double>& g) {
   const auto on_host = Kokkos::create_mirror_view(on_device);
   for (std::size_t d = 0; d < gamma.size(); ++d) on_host(d) = gamma[d];
-  Kokkos::deep_copy(on_device, on_host);
+  copy_values(on_device, on_host);
   const int count = static_cast<int>(gamma.size());
   const Array<const double> coefficients = on_device;
   const Vectors differences = dg;

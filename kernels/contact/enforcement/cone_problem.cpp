@@ -8,6 +8,7 @@
 #include "kernels/contact/enforcement/cone_row.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 
 namespace percuss {
 namespace {
@@ -244,7 +245,7 @@ struct BestPoint {
   void take(const Array<double>& now, double residual, ConeReport& report) {
     if (residual < report.residual) {
       report.residual = residual;
-      Kokkos::deep_copy(z, now);
+      copy_values(z, now);
     }
     if (residual < 0.5 * halved) {
       halved = residual;
@@ -257,7 +258,7 @@ struct BestPoint {
   bool take_back(double residual, double tolerance, const Array<double>& now) const {
     constexpr double lost = 1e16;  // residual / tolerance
     if (!(residual > lost * tolerance)) return false;
-    Kokkos::deep_copy(now, z);
+    copy_values(now, z);
     return true;
   }
 };
@@ -287,10 +288,10 @@ ConeReport solve_cone_problem(const ConeProblem& problem, double tolerance, cons
       window.clear();
       last_move = std::numeric_limits<double>::infinity();
     }
-    Kokkos::deep_copy(next, z);
+    copy_values(next, z);
     sweep(next);
     report.sweeps += 2;
-    Kokkos::deep_copy(swept, next);
+    copy_values(swept, next);
     const bool is_settled = sweep.update_status(swept) == 0;
     if (!is_settled) window.clear();
     const double move = window.accelerate(z, next);
@@ -298,12 +299,12 @@ ConeReport solve_cone_problem(const ConeProblem& problem, double tolerance, cons
       sweep.stop_at_changes(swept, next);
     } else {
       window.clear();
-      Kokkos::deep_copy(next, swept);
+      copy_values(next, swept);
     }
     last_move = move;
-    Kokkos::deep_copy(z, next);
+    copy_values(z, next);
   }
-  Kokkos::deep_copy(z, best.z);
+  copy_values(z, best.z);
   return report;
 }
 

@@ -10,6 +10,7 @@
 #include "kernels/contact/enforcement/anderson.hpp"
 #include "kernels/contact/enforcement/cone_row.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 
 namespace percuss {
 namespace {
@@ -220,7 +221,7 @@ class Island {
       on_host_ = Kokkos::create_mirror_view(after_);
     }
     store(on_host_);
-    Kokkos::deep_copy(before_, on_host_);
+    copy_values(before_, on_host_);
   }
 
   /// Goes from the end of the sweeps to the accelerated point, unless a row does something else than before or they
@@ -231,9 +232,9 @@ class Island {
     for (IslandRow& row : rows_) has_changed = row.update_status() || has_changed;
     if (has_changed) window_->clear();
     store(on_host_);
-    Kokkos::deep_copy(after_, on_host_);
+    copy_values(after_, on_host_);
     const double swept = find_size(on_host_), move = window_->accelerate(before_, after_);
-    Kokkos::deep_copy(on_host_, after_);
+    copy_values(on_host_, after_);
     // Where rows depend on each other there are impulses that change no velocity: nothing else holds them.
     if (move > too_far * last_move || !(find_size(on_host_) <= too_far * swept)) {
       window_->clear();

@@ -3,6 +3,7 @@
 #include "kernels/contact/rows/row_geometry.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/index_lists.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "kernels/rigid/rigid_nodes.hpp"
 
 namespace percuss {
@@ -196,7 +197,7 @@ void set_body_changes(const std::vector<ExactSum>& sums, RowSystem& system) {
     bodies.wrench[b] = round_wrench(sums, b);
     change(b) = find_change(responses(b), bodies.wrench[b]);
   }
-  Kokkos::deep_copy(bodies.change, change);
+  copy_values(bodies.change, change);
 }
 
 void move_packed_body_places(const WorkSpace& space, double beta, const RowSystem& system) {

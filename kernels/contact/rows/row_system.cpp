@@ -4,6 +4,7 @@
 #include "kernels/contact/rows/row_filling.hpp"
 #include "kernels/contact/rows/tie_row.hpp"
 #include "kernels/core/index_lists.hpp"
+#include "kernels/core/view_copy.hpp"
 
 namespace percuss {
 namespace {
@@ -72,7 +73,7 @@ int list_near_walls(const WorkSpace& space, const WallPairs& walls, const RowInp
 void number_nodes(const WorkSpace& space, int num_mesh_nodes, const EntryNodes& entries, RowSystem& system) {
   if (static_cast<int>(system.place_of_node.extent(0)) < num_mesh_nodes) {
     reserve(system.place_of_node, num_mesh_nodes);
-    fill(space, system.place_of_node, -1);
+    set_values(space, system.place_of_node, -1);
   }
   const int num_entries = system.num_rows * row_nodes + static_cast<int>(system.remote_node.extent(0));
   reserve(system.first_entry, num_entries);

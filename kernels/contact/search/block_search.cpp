@@ -6,6 +6,7 @@
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/index_lists.hpp"
 #include "kernels/core/prefetch.hpp"
+#include "kernels/core/view_copy.hpp"
 
 namespace percuss {
 namespace {
@@ -180,7 +181,7 @@ bool are_equal(const WorkSpace& space, const Array<const int>& a, const Array<co
 
 Array<int> copy(const Array<const int>& from, const char* label) {
   const Array<int> to(Kokkos::view_alloc(std::string(label), Kokkos::WithoutInitializing), from.extent(0));
-  Kokkos::deep_copy(to, from);
+  copy_values(to, from);
   return to;
 }
 
@@ -258,7 +259,7 @@ std::int64_t walk_blocks(const WorkSpace& space, BlockWalk<Rule>& walk, int bloc
   for (;;) {
     walk.chunks = scratch.chunks;
     walk.capacity = static_cast<int>(scratch.chunks.extent(0));
-    fill(space, scratch.num_chunks, 0);
+    set_values(space, scratch.num_chunks, 0);
     std::int64_t found = 0;
     parallel_reduce("contact::block_search", RangeOf(space, 0, blocks), walk, found);
     const int wanted = read_value(space, scratch.num_chunks, 0);
@@ -359,7 +360,7 @@ std::int64_t find_hits_by_blocks(const WorkSpace& space, const PointQuery& query
   }
   sort_boxes(space, walk);
   refit(space, scratch.tree);
-  fill(space, scratch.count, 0);
+  set_values(space, scratch.count, 0);
   const std::int64_t found = walk_blocks(space, walk, blocks, max_pairs, scratch);
   if (found > max_pairs) return found;
   const double tests = sum_tests(space, walk.tests, blocks);

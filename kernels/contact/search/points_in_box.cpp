@@ -1,6 +1,7 @@
 #include "kernels/contact/search/points_in_box.hpp"
 
 #include "kernels/core/index_lists.hpp"
+#include "kernels/core/view_copy.hpp"
 
 namespace percuss {
 namespace {
@@ -108,7 +109,7 @@ std::int64_t collect_hits(const WorkSpace& space, const PointQuery& query, const
   const Array<std::int64_t> total = scratch.total;
   for (;;) {
     HitList hits{scratch.hit_node, scratch.hit_face, total, static_cast<int>(scratch.hit_node.extent(0))};
-    fill(space, total, std::int64_t{0});
+    set_values(space, total, std::int64_t{0});
     parallel_for("contact::points_in_box", RangeOf(space, 0, num_boxes),
                  BoxWalk<Rule>{rule, query.point_names, query.box_names, lists, query.boxes, hits});
     const std::int64_t found = read_value(space, total, 0);

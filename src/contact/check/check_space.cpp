@@ -4,6 +4,7 @@
 
 #include "kernels/core/counting_sort.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/contact/surface/face_corners.hpp"
 #include "src/contact/surface/surface_sides.hpp"
 
@@ -99,7 +100,7 @@ void set_surface(const ContactSurface& surface, const Array<const std::int64_t>&
     }
   }
   reserve(check.history_face, contact_limits::max_touches * surface.num_nodes);
-  Kokkos::deep_copy(check.history_face, -1);
+  set_values(check.history_face, -1);
   check.still.forget();
 }
 

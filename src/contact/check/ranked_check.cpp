@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/index.hpp"
 
 namespace percuss {
@@ -196,7 +197,7 @@ SurfaceMotion RankedCheck::receive(const SurfaceMotion& motion, const ContactHis
                                    {receive_buffer.data(), receive_buffer.extent(0)});
   const SurfaceMotion here = motion_.end(data_, part.motion, motion);
   history_data_.end();
-  Kokkos::deep_copy(receive, receive_buffer);
+  copy_values(receive, receive_buffer);
   run_where_it_pays(received / 10, [&](const auto& space) {
     find_remembered_faces(space, part.history_rows, space_.face_numbers, SentMemory{receive}, space_.history_face);
     space.fence();

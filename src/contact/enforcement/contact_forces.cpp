@@ -10,6 +10,7 @@
 #include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 
 namespace percuss {
 namespace {
@@ -175,7 +176,7 @@ void ContactForces::archive_books(CheckpointArchive& archive, std::size_t f) {
   const auto part = Kokkos::subview(books_.sums, std::pair(first, end), Kokkos::ALL);
   const auto host = to_host(part);
   archive.rows(names_[f] + "pushes", book_rows_[f], 4, std::span<double>(host.data(), host.size()));
-  if (archive.is_loading()) Kokkos::deep_copy(part, host);
+  if (archive.is_loading()) copy_values(part, host);
 }
 
 void ContactForces::sum_areas(const AreaNodes& nodes, std::vector<ContactImpulse>& taken) {
@@ -191,7 +192,7 @@ void ContactForces::sum_areas(const AreaNodes& nodes, std::vector<ContactImpulse
     taken[f].area = area[0].round();
     taken[f].press = share.press;
   }
-  Kokkos::deep_copy(books_.sums, 0.0);
+  set_values(books_.sums, 0.0);
 }
 
 std::vector<ContactImpulse> ContactForces::take(const AreaNodes& nodes) {

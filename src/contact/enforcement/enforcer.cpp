@@ -7,6 +7,7 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/index_lists.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/contact/ties/tie_rows.hpp"
 
 namespace percuss {
@@ -191,7 +192,7 @@ void Enforcer::rest(const ContactMotion& motion, ContactHistory& history) {
   has_solved_ = false;
   last_dt_ = motion.dt;
   last_pushes_ = 0;
-  if (remembers_) Kokkos::deep_copy(history.face, std::int64_t{-1});
+  if (remembers_) set_values(history.face, std::int64_t{-1});
   history.edges.count = 0;
   remembers_ = false;
 }
@@ -339,7 +340,7 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
     else
       system_.num_nodes = 0;
     clear_last_impulse(motion);
-    if (ties_rotations_) fill(space, motion.spins.moment, 0.0);
+    if (ties_rotations_) set_values(space, motion.spins.moment, 0.0);
     const SolveReport solved = solve(space, motion.dt, dt_mean);
     has_solved_ = solved.rows > 0;
     if (has_solved_) {

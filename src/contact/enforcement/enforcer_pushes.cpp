@@ -1,6 +1,7 @@
 // What the pushes of a step gave to the nodes, for fields of contact pressure.
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/contact/enforcement/enforcer.hpp"
 #include "src/index.hpp"
 
@@ -40,7 +41,7 @@ void Enforcer::archive_pushes(CheckpointArchive& archive, const ChunkedMesh& chu
   for (std::size_t i = 0; i < nodes.mesh_nodes.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) host(at(nodes.mesh_nodes[i]), k) = rows[3 * i + k];
   }
-  Kokkos::deep_copy(pushes, host);
+  copy_values(pushes, host);
   restored_pushes_ = pushes;
 }
 

@@ -9,6 +9,7 @@
 #include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/error.hpp"
 
 namespace percuss {
@@ -72,7 +73,7 @@ double MovingWalls::find_fastest_before() const {
 
 void MovingWalls::write(const WallPairs& walls, const std::vector<double>& speeds) const {
   const auto host = Kokkos::create_mirror_view(walls.walls);
-  Kokkos::deep_copy(host, walls.walls);
+  copy_values(host, walls.walls);
   for (std::size_t i = 0; i < moving_.size(); ++i) {
     ContactWall& of = host(static_cast<std::size_t>(moving_[i]));
     const Vec3& point = wall(i).point;
@@ -80,7 +81,7 @@ void MovingWalls::write(const WallPairs& walls, const std::vector<double>& speed
     of.point = Point3{point[0], point[1], point[2]} + motions_[i].displacement * way;
     of.speed = speeds[i];
   }
-  Kokkos::deep_copy(walls.walls, host);
+  copy_values(walls.walls, host);
 }
 
 void MovingWalls::place(const WallPairs& walls) const {

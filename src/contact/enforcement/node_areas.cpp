@@ -5,6 +5,7 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/index.hpp"
 
 namespace percuss {
@@ -73,7 +74,7 @@ void NodeAreas::receive_areas() {
     const auto face = at(places_[at(foreign_.all().asked[k])]);
     for (std::size_t d = 0; d < 3; ++d) areas(face, d) = received[k][d];
   }
-  Kokkos::deep_copy(areas_, areas);
+  copy_values(areas_, areas);
 }
 
 }  // namespace percuss

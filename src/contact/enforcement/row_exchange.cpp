@@ -6,6 +6,7 @@
 #include "comm/all_reduce.hpp"
 #include "comm/exchange/item_exchange.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "kernels/core/views.hpp"
 #include "src/index.hpp"
 
@@ -216,7 +217,7 @@ void RowExchange::prepare_swap(RowSystem& system) {
 
 void RowExchange::end_swap(RowSystem& system) {
   swap_.end();
-  Kokkos::deep_copy(system.remote, receive_buffer_);
+  copy_values(system.remote, receive_buffer_);
 }
 
 void RowExchange::send_pushes(const Array<const NormalPush>& sent, const RowSystem& system, Array<NormalPush>& remote) {
@@ -227,7 +228,7 @@ void RowExchange::send_pushes(const Array<const NormalPush>& sent, const RowSyst
   reserve(remote, system.num_remote);
   const auto mirror = Kokkos::create_mirror_view(remote);
   for (std::size_t k = 0; k < received.size(); ++k) mirror(k) = received[k];
-  Kokkos::deep_copy(remote, mirror);
+  copy_values(remote, mirror);
 }
 
 /// Gathers rows on the first rank, which solves them; each rank gets the impulses of its own, and all the report.

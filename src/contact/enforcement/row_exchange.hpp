@@ -21,6 +21,7 @@
 #include "kernels/contact/enforcement/enforcement.hpp"
 #include "kernels/contact/enforcement/force_sums.hpp"
 #include "kernels/contact/enforcement/rigid_rows.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/contact/enforcement/shared_entries.hpp"
 #include "src/contact/surface/contact_ranks.hpp"
 
@@ -98,7 +99,7 @@ class RowExchange {
   void begin_swap(const WorkSpace& space, const RowSystem& system) {
     get_sent_shares(space, system, sent_values_);
     space.fence();
-    Kokkos::deep_copy(send_buffer_, sent_values_);
+    copy_values(send_buffer_, sent_values_);
     swap_.begin();
   }
   void end_swap(RowSystem& system);

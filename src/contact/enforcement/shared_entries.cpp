@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/index.hpp"
 
 namespace percuss {
@@ -179,16 +180,16 @@ void HostRowNodes::set(int place, const NodeAnswer& answer) {
 }
 
 void HostRowNodes::write(RowSystem& system) const {
-  Kokkos::deep_copy(system.at.x, x_);
-  Kokkos::deep_copy(system.at.v, v_);
-  Kokkos::deep_copy(system.at.v_before, v_before_);
-  Kokkos::deep_copy(system.at.v_checked, v_checked_);
-  Kokkos::deep_copy(system.at.inverse_mass, inverse_mass_);
+  copy_values(system.at.x, x_);
+  copy_values(system.at.v, v_);
+  copy_values(system.at.v_before, v_before_);
+  copy_values(system.at.v_checked, v_checked_);
+  copy_values(system.at.inverse_mass, inverse_mass_);
   if (has_springs_) {
-    Kokkos::deep_copy(system.at.spring, spring_);
-    Kokkos::deep_copy(system.at.growth, growth_);
+    copy_values(system.at.spring, spring_);
+    copy_values(system.at.growth, growth_);
   }
-  if (has_bodies_) Kokkos::deep_copy(system.bodies.of_place, body_);
+  if (has_bodies_) copy_values(system.bodies.of_place, body_);
 }
 
 }  // namespace percuss

@@ -5,6 +5,7 @@
 
 #include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "kernels/core/views.hpp"
 #include "src/contact/history/edge_records.hpp"
 #include "src/contact/surface/number_map.hpp"
@@ -37,13 +38,13 @@ struct HostHistory {
   }
 
   void write_to(const ContactHistory& history) const {
-    Kokkos::deep_copy(history.face, face);
-    Kokkos::deep_copy(history.impulse, impulse);
-    Kokkos::deep_copy(history.slip, slip);
-    Kokkos::deep_copy(history.reference, reference);
-    Kokkos::deep_copy(history.held, held);
-    Kokkos::deep_copy(history.to_push, to_push);
-    Kokkos::deep_copy(history.ties, ties);
+    copy_values(history.face, face);
+    copy_values(history.impulse, impulse);
+    copy_values(history.slip, slip);
+    copy_values(history.reference, reference);
+    copy_values(history.held, held);
+    copy_values(history.to_push, to_push);
+    copy_values(history.ties, ties);
   }
 
   HostMirror<Array<std::int64_t>> face;
@@ -150,7 +151,7 @@ ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls, c
   if (share.springs != SpringRows::none) history.held = Array<double>("contact::history_held", records);
   if (contact.overlap == ContactDeck::Overlap::push_out)
     history.to_push = Array<double>("contact::history_to_push", records);
-  Kokkos::deep_copy(history.face, std::int64_t{-1});
+  set_values(history.face, std::int64_t{-1});
   return history;
 }
 

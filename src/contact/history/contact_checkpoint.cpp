@@ -4,6 +4,7 @@
 
 #include "comm/halo/node_copies.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 
 namespace percuss {
 namespace {
@@ -81,7 +82,7 @@ Rows3<double> spread_to_mesh(const Communicator& ranks, const ChunkedMesh& chunk
   for (std::size_t n = 0; n < share.nodes.mesh_nodes.size(); ++n) {
     for (std::size_t k = 0; k < 3; ++k) host(static_cast<std::size_t>(share.nodes.mesh_nodes[n]), k) = own(n, k);
   }
-  Kokkos::deep_copy(spread, host);
+  copy_values(spread, host);
   if (ranks.size() == 1) return spread;
   UnstructuredExchange exchange(ranks);
   SharedNodes shared = find_shared_nodes(exchange, mesh.node_numbers);

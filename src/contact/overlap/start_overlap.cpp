@@ -10,6 +10,7 @@
 #include "kernels/contact/check/end_pack.hpp"
 #include "kernels/contact/rows/row_geometry.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/contact/history/edge_records.hpp"
 #include "src/contact/overlap/part_gaps.hpp"
 
@@ -104,9 +105,9 @@ struct SeededRecords {
     if (is_pushed && to_push.extent(0) > 0) to_push(record) = depth;
   }
   void write_to(const ContactHistory& history) const {
-    Kokkos::deep_copy(history.face, face);
-    Kokkos::deep_copy(history.reference, reference);
-    Kokkos::deep_copy(history.to_push, to_push);
+    copy_values(history.face, face);
+    copy_values(history.reference, reference);
+    copy_values(history.to_push, to_push);
   }
 
   HostMirror<Array<std::int64_t>> face;

@@ -8,6 +8,7 @@
 #include "kernels/contact/search/capture_boxes.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/index.hpp"
 
 namespace percuss {
@@ -69,7 +70,7 @@ void send_rows(DataExchange& data, const ExchangePlan& plan, const Rows& sent, c
   data.begin<Item>(plan, {send_buffer.data(), send_buffer.extent(0)},
                    {receive_buffer.data(), receive_buffer.extent(0)});
   data.end();
-  Kokkos::deep_copy(receive, receive_buffer);
+  copy_values(receive, receive_buffer);
   parallel_for(
       "contact::unpack_rows", RangeOf(ExecSpace(), 0, static_cast<int>(to.extent(0))), KOKKOS_LAMBDA(int i) {
         const double* const item = reinterpret_cast<const double*>(&receive(i));
@@ -209,7 +210,7 @@ RcbPoints ContactDecomposition::send_points_to_previous_owners() {
     for (std::size_t k = 0; k < 3; ++k) host(i, k) = received[i].x[k];
     received_ids.push_back(received[i].id);
   }
-  Kokkos::deep_copy(positions, host);
+  copy_values(positions, host);
   return {positions, to_view("contact::received_ids", received_ids), {}};
 }
 

@@ -2,6 +2,7 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/contact/surface/number_map.hpp"
 
 namespace percuss {
@@ -70,7 +71,7 @@ SurfaceMotion MotionCopy::end(DataExchange& data, const MotionPart& part, const 
         }
       });
   data.end();
-  Kokkos::deep_copy(received_, receive_buffer_);
+  copy_values(received_, receive_buffer_);
   loop_where_it_pays(
       "contact::unpack_motion", others, others / 10, KOKKOS_LAMBDA(int i) {
         for (int k = 0; k < 3; ++k) {

@@ -5,6 +5,7 @@
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/contact/search/contact_finder.hpp"
 #include "src/contact/search/pair_limit.hpp"
 #include "src/contact/surface/number_map.hpp"
@@ -132,7 +133,7 @@ void RankedEdges::send_overlapping_edges(const SurfaceMotion& motion) {
     is_owned_.push_back(record.is_owned ? 1 : 0);
     places_.push_back(std::to_array(record.ends));
   }
-  Kokkos::deep_copy(edge_boxes_, host);
+  copy_values(edge_boxes_, host);
 }
 
 /// Pairs among the edges that reached this rank, of which it has the points of A.

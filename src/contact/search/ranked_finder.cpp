@@ -5,6 +5,7 @@
 
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/contact/search/pair_limit.hpp"
 #include "src/contact/surface/face_corners.hpp"
 #include "src/index.hpp"
@@ -159,7 +160,7 @@ int RankedFinder::send_results_to_fe_owners(const ContactHistory& history, Array
   reserve(touches, static_cast<int>(rows.size()));
   Kokkos::View<const RowTouch*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> host(rows.data(),
                                                                                                  rows.size());
-  Kokkos::deep_copy(Kokkos::subview(touches, std::pair<std::size_t, std::size_t>(0, rows.size())), host);
+  copy_values(Kokkos::subview(touches, std::pair<std::size_t, std::size_t>(0, rows.size())), host);
   return static_cast<int>(rows.size());
 }
 

@@ -14,6 +14,7 @@
 
 #include "kernels/core/exact_sum.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 
 namespace percuss {
 
@@ -99,7 +100,7 @@ class CheckpointArchive {
     using Value = typename View::non_const_value_type;
     const auto host = to_host(view);
     rows(name, chunk_rows, components, std::span<Value>(host.data(), host.size()));
-    if (is_loading()) Kokkos::deep_copy(view, host);
+    if (is_loading()) copy_values(view, host);
   }
 
   /// Several sums of one name: NAME/0, NAME/1 ...

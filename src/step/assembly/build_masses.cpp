@@ -6,6 +6,7 @@
 
 #include "comm/halo/halo_swap.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "kernels/element/element_records.hpp"
 #include "src/deck/rigid_bodies.hpp"
 #include "src/mesh/hex_geometry.hpp"
@@ -40,7 +41,7 @@ Rows3<double> sum_by_slot(const Model& model, const Elements& elements,
       }
     }
   }
-  Kokkos::deep_copy(by_slot, host);
+  copy_values(by_slot, host);
   return by_slot;
 }
 
@@ -145,7 +146,7 @@ void build_spin_tensors(const Deck& deck, const ChunkedMesh& chunked, Model& mod
       excess(i, 3 + k) = second(n, k);
     }
   }
-  Kokkos::deep_copy(model.spin_tensors.excess, excess);
+  copy_values(model.spin_tensors.excess, excess);
 }
 
 RigidMasses find_rigid_masses(const Deck& deck, const ChunkedMesh& chunked, const std::vector<double>& mass,

@@ -5,6 +5,7 @@
 #include "comm/exact_reduction.hpp"
 #include "comm/halo/halo_swap.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "kernels/element/element_records.hpp"
 #include "kernels/node/motion.hpp"
 #include "src/deck/asked_for.hpp"
@@ -49,7 +50,7 @@ Rows3<double> sum_masses_by_slot(const ChunkedMesh& chunked, const Model& model,
       }
     }
   }
-  Kokkos::deep_copy(by_slot, host);
+  copy_values(by_slot, host);
   return by_slot;
 }
 

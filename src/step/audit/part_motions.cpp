@@ -8,6 +8,7 @@
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 
 namespace percuss {
 namespace {
@@ -83,7 +84,7 @@ PartMotions::PartMotions(const Deck& deck, const ChunkedMesh& chunked) {
   const auto host = Kokkos::create_mirror_view(start_);
   for (std::size_t n = 0; n < chunked.mesh.nodes.size(); ++n)
     for (std::size_t k = 0; k < 3; ++k) host(n, k) = chunked.mesh.nodes[n][k];
-  Kokkos::deep_copy(start_, host);
+  copy_values(start_, host);
 }
 
 void PartMotions::append(const Model& model, const State& state, std::vector<double>& row) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kernels/core/view_copy.hpp"
 #include "kernels/node/motion.hpp"
 #include "src/step/model/impulses.hpp"
 
@@ -26,7 +27,7 @@ void DampingStage::begin_step(const State& /*state*/, const StepTimes& times) {
   if (!is_active_) return;
   const auto host = Kokkos::create_mirror_view(coefficients_);
   for (std::size_t i = 0; i < values_.size(); ++i) host(i) = values_[i];
-  Kokkos::deep_copy(coefficients_, host);
+  copy_values(coefficients_, host);
 }
 
 DampedMotion DampingStage::find_motion(const State& state) const {

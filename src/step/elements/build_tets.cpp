@@ -10,6 +10,7 @@
 
 #include "comm/halo/halo_swap.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "kernels/element/element_records.hpp"
 #include "kernels/one_point/shapes.hpp"
 #include "kernels/tet/geometry.hpp"
@@ -66,7 +67,7 @@ Rows3<double> find_slot_materials(const ChunkedMesh& chunked, const Model& model
     for (int s = first_slot(c); s < first_slot(c + 1); ++s)
       host(static_cast<std::size_t>(s), 0) = 1 + find_block(chunked, chunked.chunks[c]).material;
   }
-  Kokkos::deep_copy(slots, host);
+  copy_values(slots, host);
   HaloSwap swap(model.ranks, model.halo);
   swap.begin(ExecSpace(), slots);
   swap.end();

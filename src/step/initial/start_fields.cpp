@@ -10,6 +10,7 @@
 #include "comm/all_reduce.hpp"
 #include "comm/first_finding.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "kernels/material/laws/johnson_cook.hpp"
 #include "src/deck/laws/law_traits.hpp"
 #include "src/deck/laws/make_law.hpp"
@@ -276,7 +277,7 @@ std::vector<Warning> set_start_states(const Deck& deck, const ChunkedMesh& chunk
     }
   }
   target.records.give_back(state);
-  Kokkos::deep_copy(state.results.work, target.work);
+  copy_values(state.results.work, target.work);
   return warnings;
 }
 

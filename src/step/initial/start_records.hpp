@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "kernels/element/element_records.hpp"
 #include "kernels/material/elastic.hpp"
 #include "src/index.hpp"
@@ -45,7 +46,7 @@ class StartRecords {
   /// element. Returns why the element cannot have it, as "has no layer 4 (it has 3)"; empty: it can.
   std::string write(const StartElement& of, const StartRow& row, double& energy);
 
-  void give_back(const State& state) const { Kokkos::deep_copy(state.elements, records_); }
+  void give_back(const State& state) const { copy_values(state.elements, records_); }
 
  private:
   /// Lanes past the last element of a chunk repeat it: so many records have the element's values.

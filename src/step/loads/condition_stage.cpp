@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/step/sensors/held_directions.hpp"
 
 namespace percuss {
@@ -64,8 +65,8 @@ void ConditionStage::evaluate(const State& state, double dt) {
     back(m) = 2 * std::sin(half) * std::sin(half) / dt;
     values(m) = std::sin(2 * half) / dt;
   }
-  Kokkos::deep_copy(motions_.value, values);
-  Kokkos::deep_copy(motions_.back, back);
+  copy_values(motions_.value, values);
+  copy_values(motions_.back, back);
 }
 
 }  // namespace percuss

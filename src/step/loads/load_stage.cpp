@@ -4,6 +4,7 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/deck/deck.hpp"
 
 namespace percuss {
@@ -56,7 +57,7 @@ void LoadStage::load_nodes(const State& state, double time) {
     const bool is_on = model_.switches.nodal_loads[i].is_on(state.happened);
     for (std::size_t k = 0; k < 6; ++k) values(i, k) = is_on ? model_.nodal_values[i][k](time) : 0;
   }
-  Kokkos::deep_copy(nodal_values_, values);
+  copy_values(nodal_values_, values);
   apply_nodal_loads(ExecSpace(), state.nodal_loads, nodal_values_, state.slot_force, state.slot_moment);
 }
 
@@ -76,7 +77,7 @@ void LoadStage::evaluate_curves(const State& state, double time) {
     const auto entry = static_cast<std::size_t>(model_.pressure_entries[i]);
     values(i) = model_.switches.pressures[entry].is_on(state.happened) ? model_.pressures[i](time) : 0;
   }
-  Kokkos::deep_copy(pressures_, values);
+  copy_values(pressures_, values);
 }
 
 void LoadStage::evaluate_pulses(const State& state, double time) {

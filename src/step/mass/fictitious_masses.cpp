@@ -9,6 +9,7 @@
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "kernels/element/element_records.hpp"
 #include "kernels/element/failure_criteria.hpp"
 #include "src/index.hpp"
@@ -34,7 +35,7 @@ Array<double> scale_each(const std::string& label, const Array<const double>& fr
   const auto values = to_host(from);
   const auto host = Kokkos::create_mirror_view(to);
   for (std::size_t i = 0; i < by.size(); ++i) host(i) = by[i] * values(i);
-  Kokkos::deep_copy(to, host);
+  copy_values(to, host);
   return to;
 }
 

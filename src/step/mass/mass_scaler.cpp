@@ -9,6 +9,7 @@
 #include "kernels/core/common_record.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "kernels/element/element_records.hpp"
 #include "src/mesh/mesh.hpp"
 #include "src/output/checkpoint/checkpoint_archive.hpp"
@@ -76,7 +77,7 @@ void MassScaler::find_missing(const State& state) {
     const bool due = p >= 0 && is_due(parts_[static_cast<std::size_t>(p)], state.step);
     target(c) = due ? parts_[static_cast<std::size_t>(p)].request.step : 0;
   }
-  Kokkos::deep_copy(target_, target);
+  copy_values(target_, target);
   const MissingMass find{bounds_, state.element_mass, model_.failing, state.lives};
   const auto missing = missing_, step = target_;
   const ElementChunks chunks = model_.chunks;
@@ -118,7 +119,7 @@ void MassScaler::give(const State& state, const std::vector<double>& shares) {
   const auto by_chunk = Kokkos::create_mirror_view(share_);
   for (std::size_t c = 0; c < part_of_chunk_.size(); ++c)
     by_chunk(c) = part_of_chunk_[c] >= 0 ? shares[static_cast<std::size_t>(part_of_chunk_[c])] : 0;
-  Kokkos::deep_copy(share_, by_chunk);
+  copy_values(share_, by_chunk);
   const auto missing = missing_, wanted = wanted_, share = share_, mass = state.element_mass;
   const auto elements = state.elements;
   const auto settled = state.results.is_settled;

@@ -7,6 +7,7 @@
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/same_bits.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "kernels/element/element_records.hpp"
 #include "kernels/element/hex8/hex_record.hpp"
 #include "kernels/shell/shell_failure.hpp"
@@ -195,9 +196,9 @@ ElementLives make_lives(const FailingChunks& failing) {
                      Array<double>("percuss::damage", lanes),
                      Array<double>("percuss::second_failure_sum", lanes),
                      Array<double>("percuss::layer_lives", failing.layer_scalars)};
-  Kokkos::deep_copy(lives.force_share, Real(1));
-  Kokkos::deep_copy(lives.work_share, Real(1));
-  Kokkos::deep_copy(lives.steps_left, ElementLives::whole);
+  set_values(lives.force_share, Real(1));
+  set_values(lives.work_share, Real(1));
+  set_values(lives.steps_left, ElementLives::whole);
   return lives;
 }
 
@@ -220,13 +221,13 @@ void start_layers(const Model& model, const ElementLives& lives) {
 
 Array<double> copy_array(const std::string& label, const Array<double>& from) {
   Array<double> to(label, from.extent(0));
-  Kokkos::deep_copy(to, from);
+  copy_values(to, from);
   return to;
 }
 
 Rows3<double> copy_rows(const std::string& label, const Rows3<double>& from) {
   Rows3<double> to(label, from.extent(0));
-  Kokkos::deep_copy(to, from);
+  copy_values(to, from);
   return to;
 }
 
@@ -248,13 +249,13 @@ void start_rotations(const Model& model, State& s) {
   s.w_before = Rows3<double>("percuss::w_before", nodes);
   s.moment = Rows3<double>("percuss::moment", nodes);
   s.slot_moment = Rows3<double>("percuss::slot_moment", static_cast<std::size_t>(model.slot_count));
-  Kokkos::deep_copy(s.w, model.start_spin);
+  copy_values(s.w, model.start_spin);
   s.inertia = model.inertia;
   s.inverse_inertia = model.inverse_inertia;
   s.spin_tensors = model.spin_tensors;
   if (!s.spin_tensors.any()) return;
   s.spin_tensors.excess = TensorRows("percuss::own_spin_tensors", s.spin_tensors.node.extent(0));
-  Kokkos::deep_copy(s.spin_tensors.excess, model.spin_tensors.excess);
+  copy_values(s.spin_tensors.excess, model.spin_tensors.excess);
 }
 
 /// Chunks that are not computed do not limit the step, and nothing fails in them.
@@ -323,8 +324,8 @@ State make_initial_state(const Model& model) {
   s.v_before = make_streamed<Rows3<double>>("percuss::v_before", nodes);
   s.force = make_streamed<Rows3<double>>("percuss::force", nodes);
   s.impulse = make_streamed<Rows3<double>>("percuss::impulse", nodes);
-  Kokkos::deep_copy(s.x, model.start);
-  Kokkos::deep_copy(s.v, model.start_velocity);
+  copy_values(s.x, model.start);
+  copy_values(s.v, model.start_velocity);
   s.elements = make_element_records(model);
   set_element_masses(model, s.elements);
   set_start_history(model, s.elements);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 
+#include "kernels/core/view_copy.hpp"
 #include "kernels/core/views.hpp"
 
 #if defined(__linux__)
@@ -32,7 +33,7 @@ template <class View>
 View make_streamed(const std::string& label, std::size_t count) {
   const View view(Kokkos::view_alloc(label, Kokkos::WithoutInitializing), count);
   wish_huge_pages(view.data(), view.span() * sizeof(typename View::value_type));
-  Kokkos::deep_copy(view, typename View::value_type(0));
+  set_values(view, typename View::value_type(0));
   return view;
 }
 

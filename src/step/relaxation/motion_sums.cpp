@@ -5,6 +5,7 @@
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 
 namespace percuss {
 
@@ -17,8 +18,8 @@ MotionSums::MotionSums(const Model& model, ContactForce contact)
 }
 
 void MotionSums::keep(const State& state, double dt_mean) {
-  Kokkos::deep_copy(force_, state.force);
-  if (model_.has_rotations) Kokkos::deep_copy(moment_, state.moment);
+  copy_values(force_, state.force);
+  if (model_.has_rotations) copy_values(moment_, state.moment);
   if (contact_.extent(0) == 0) return;
   const auto contact = contact_, impulse = state.impulse;
   parallel_for(

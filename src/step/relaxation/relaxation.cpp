@@ -10,6 +10,7 @@
 
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/error.hpp"
 #include "src/index.hpp"
 #include "src/step/model/whole_mesh.hpp"
@@ -53,10 +54,10 @@ Deck make_relaxed_deck(const Deck& deck) {
 Rows3<double> copy_to_zero(const Rows3<double>& from, const std::vector<int>& nodes) {
   const Rows3<double> to("percuss::relaxed_inverse", from.extent(0));
   const auto host = Kokkos::create_mirror_view(to);
-  Kokkos::deep_copy(host, from);
+  copy_values(host, from);
   for (const int n : nodes)
     for (std::size_t k = 0; k < 3; ++k) host(at(n), k) = 0;
-  Kokkos::deep_copy(to, host);
+  copy_values(to, host);
   return to;
 }
 
@@ -83,8 +84,8 @@ Relaxation::Relaxation(const Deck& deck, const ChunkedMesh& chunked, const Model
   hold_nodes(deck);
   set_loads(0);
   stepper_ = std::make_unique<Stepper>(relaxed_deck_, chunked, relaxed_, contact);
-  Kokkos::deep_copy(state.v, 0.0);
-  if (model.has_rotations) Kokkos::deep_copy(state.w, 0.0);
+  set_values(state.v, 0.0);
+  if (model.has_rotations) set_values(state.w, 0.0);
   for (RigidState& body : state.bodies) body.velocity = body.spin = body.spin_momentum = {0, 0, 0};
   contact.begin_relaxation();
   give_masses();
@@ -281,8 +282,8 @@ void Relaxation::finish() {
   masses_.take(state_);
   state_.inverse_mass = inverse_mass_;
   state_.inverse_inertia = inverse_inertia_;
-  Kokkos::deep_copy(state_.v, model_.start_velocity);
-  if (model_.has_rotations) Kokkos::deep_copy(state_.w, model_.start_spin);
+  copy_values(state_.v, model_.start_velocity);
+  if (model_.has_rotations) copy_values(state_.w, model_.start_spin);
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
     const RigidBody& body = model_.rigid.bodies[b];
     state_.bodies[b].velocity = body.velocity;
@@ -291,7 +292,7 @@ void Relaxation::finish() {
   state_.books = {};
   constexpr int gone = WorkKind::viscous;
   Kokkos::deep_copy(Kokkos::subview(state_.results.work, Kokkos::ALL, gone), 0.0);
-  Kokkos::deep_copy(state_.results.skipped, std::int64_t{0});
+  set_values(state_.results.skipped, std::int64_t{0});
   if (contact_.is_active()) contact_.end_relaxation(state_.x);
 }
 

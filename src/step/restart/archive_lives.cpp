@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "kernels/element/element_records.hpp"
 #include "kernels/shell/layer_lives.hpp"
 
@@ -68,13 +69,13 @@ struct LivesOnHost {
   }
 
   void copy_to(const ElementLives& lives) const {
-    Kokkos::deep_copy(lives.steps_left, steps_left);
-    Kokkos::deep_copy(lives.plastic_strain, plastic_strain);
-    Kokkos::deep_copy(lives.damage, damage);
-    Kokkos::deep_copy(lives.second, second);
-    Kokkos::deep_copy(lives.work, work);
-    Kokkos::deep_copy(lives.force_share, force_share);
-    Kokkos::deep_copy(lives.work_share, work_share);
+    copy_values(lives.steps_left, steps_left);
+    copy_values(lives.plastic_strain, plastic_strain);
+    copy_values(lives.damage, damage);
+    copy_values(lives.second, second);
+    copy_values(lives.work, work);
+    copy_values(lives.force_share, force_share);
+    copy_values(lives.work_share, work_share);
   }
 
   HostMirror<Array<Real>> force_share, work_share;
@@ -136,7 +137,7 @@ void archive_layers(CheckpointArchive& archive, const Model& model, const State&
   archive.rows("elements/layers", rows, 1, std::span<double>(values));
   if (!archive.is_loading()) return;
   for (std::size_t i = 0; i < scalars.size(); ++i) layers(scalars[i]) = values[i];
-  Kokkos::deep_copy(state.lives.layers, layers);
+  copy_values(state.lives.layers, layers);
 }
 
 }  // namespace

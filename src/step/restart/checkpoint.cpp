@@ -14,6 +14,7 @@
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/same_bits.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "kernels/element/element_records.hpp"
 #include "src/deck/yaml/deck_values.hpp"
 #include "src/error.hpp"
@@ -58,7 +59,7 @@ void archive_elements(CheckpointArchive& archive, const Model& model, const Stat
     if (is_repeated) next -= static_cast<std::size_t>(size);  // the last element's again
     for (int s = 0; s < size; ++s) record[s] = static_cast<Real>(records[next++]);
   });
-  Kokkos::deep_copy(state.elements, packs);
+  copy_values(state.elements, packs);
 }
 
 void archive_eroded(CheckpointArchive& archive, State& state) {

@@ -10,6 +10,7 @@
 #include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/deck/asked_for.hpp"
 #include "src/deck/rigid_bodies.hpp"
 #include "src/error.hpp"
@@ -286,8 +287,8 @@ void start_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigi
       if (model.has_rotations) w(n, k) = get(body.spin, static_cast<int>(k));
     }
   }
-  Kokkos::deep_copy(model.start_velocity, v);
-  if (model.has_rotations) Kokkos::deep_copy(model.start_spin, w);
+  copy_values(model.start_velocity, v);
+  if (model.has_rotations) copy_values(model.start_spin, w);
 }
 
 }  // namespace percuss

@@ -9,6 +9,7 @@
 #include "comm/all_reduce.hpp"
 #include "comm/halo/halo_swap.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/deck/rigid_bodies.hpp"
 #include "src/error.hpp"
 #include "src/index.hpp"
@@ -30,7 +31,7 @@ std::vector<std::array<double, 3>> sum_over_chunks(const ChunkedMesh& chunked, c
     for (int s = first_slot(c); s < first_slot(c + 1); ++s)
       for (std::size_t k = 0; k < 3; ++k) host(at(s), k) = values[k];
   }
-  Kokkos::deep_copy(slots, host);
+  copy_values(slots, host);
   HaloSwap swap(model.ranks, model.halo);
   swap.begin(ExecSpace(), slots);
   swap.end();

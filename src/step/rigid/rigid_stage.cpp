@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernels/core/view_copy.hpp"
 #include "kernels/node/damping.hpp"
 #include "kernels/node/motion.hpp"
 #include "src/contact/enforcement/contact_report.hpp"
@@ -114,7 +115,7 @@ void RigidStage::upload(const State& state, double dt) {
     steps(b) = {now.center,    next.center, rotation, dt > 0 ? find_rotation(next.orientation) : rotation,
                 next.velocity, next.spin};
   }
-  Kokkos::deep_copy(steps_, steps);
+  copy_values(steps_, steps);
 }
 
 /// The bodies at n-1/2; in the first step, as those of nodes, the mirror image at time 0 of what next_ is undamped.
@@ -174,7 +175,7 @@ void RigidStage::place_bodies(State& state, double dt) {
   const auto responses = Kokkos::create_mirror_view(responses_);
   for (std::size_t b = 0; b < next_.size(); ++b)
     responses(b) = find_response(model_.rigid.bodies[b], state.bodies[b], growths_[b]);
-  Kokkos::deep_copy(responses_, responses);
+  copy_values(responses_, responses);
   if (joints_.any()) joints_.begin_step(state, growths_);
   move_bodies(state, dt);
   upload(state, dt);
@@ -229,7 +230,7 @@ void RigidStage::correct(State& state, const std::vector<Wrench>& contact, doubl
 /// Contact counts its work with the velocities that free bodies would have; joints change them.
 void RigidStage::book_joined_contact(State& state, const std::vector<RigidState>& predicted) const {
   const auto responses = Kokkos::create_mirror_view(responses_);
-  Kokkos::deep_copy(responses, responses_);
+  copy_values(responses, responses_);
   for (std::size_t b = 0; b < next_.size(); ++b) {
     const BodyChange free = find_change(responses(b), contact_[b]);
     const Vector3<double> v = next_[b].velocity - predicted[b].velocity - free.velocity,

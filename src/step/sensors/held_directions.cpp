@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 
 namespace percuss {
 namespace {
@@ -59,7 +60,7 @@ HeldEntries pick_held(const Model& model, const HeldEntries& from, const std::ve
     if (of.any()) inverses(n, k) = holds || masses(n) == 0 ? 0 : 1 / masses(n);
     if (!holds) keeps[i] = 0;
   }
-  Kokkos::deep_copy(inverse, inverses);
+  copy_values(inverse, inverses);
   return keep_entries(from, keeps);
 }
 

@@ -5,6 +5,7 @@
 
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/index.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
@@ -47,7 +48,7 @@ void fill_force_slots(const ForcedNodes& forced, const std::vector<Vector3<doubl
   for (std::size_t i = 0; i < places.extent(0); ++i)
     for (int k = 0; k < 3; ++k) rows(i, at(k)) = get(by_node[at(places(i))], k);
   const std::size_t first = at(forced.first_slot);
-  Kokkos::deep_copy(Kokkos::subview(all, std::pair(first, first + rows.extent(0)), Kokkos::ALL), rows);
+  copy_values(Kokkos::subview(all, std::pair(first, first + rows.extent(0)), Kokkos::ALL), rows);
 }
 
 std::vector<int> share_bodies(const Model& model, const ConnectedNodes& connected) {

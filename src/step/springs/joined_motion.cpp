@@ -2,6 +2,7 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 
 namespace percuss {
 
@@ -36,7 +37,7 @@ void give_joined_motion(const ConnectedNodes& connected, const std::vector<Joine
       host(i, 3 + k) = of_node.impulse;
     }
   }
-  Kokkos::deep_copy(rows, host);
+  copy_values(rows, host);
   const auto v = state.v, impulse = state.weld_impulse;
   const auto nodes = connected.local_node;
   parallel_for(

@@ -7,6 +7,7 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "src/index.hpp"
 #include "src/output/checkpoint/checkpoint_archive.hpp"
 
@@ -194,7 +195,7 @@ void WeldStage::give_back(const State& state) const {
       host(i, 3 * k + 2) = values[k].z;
     }
   }
-  Kokkos::deep_copy(rows, host);
+  copy_values(rows, host);
   const auto v = state.v, w = state.w, impulse = state.weld_impulse, moment = state.weld_moment;
   const auto nodes = model_.welds.local_node;
   const bool turns = model_.has_rotations;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "kernels/element/element_records.hpp"
 
 namespace percuss {
@@ -52,8 +53,8 @@ void GlobalStep::renew(const State& state, double element_bound) {
   const double gain = reference_bound_ > 0 ? std::max(1.0, watch_.step / reference_bound_) : 1.0;
   const double found = estimate(state, gain * element_bound);
   watch_.step = found > element_bound ? found : element_bound;  // also where it is no number
-  Kokkos::deep_copy(watch_.reference, watch_.bound);
-  Kokkos::deep_copy(watch_.growth, 0.0);
+  copy_values(watch_.reference, watch_.bound);
+  set_values(watch_.growth, 0.0);
   reference_bound_ = element_bound;
   patience_ = watch_.step > least_gain * element_bound ? 1 : std::min(2 * patience_, longest_patience);
   last_step_ = state.step;
@@ -93,7 +94,7 @@ void GlobalStep::archive_reference(CheckpointArchive& archive) {
   archive.rows("global_step/reference", find_element_rows(chunked_), 1, values);
   if (!archive.is_loading()) return;
   visit([&](std::size_t e, std::size_t lane) { reference(lane) = static_cast<Real>(values[e]); });
-  Kokkos::deep_copy(watch_.reference, reference);
+  copy_values(watch_.reference, reference);
 }
 
 StepEstimateReport GlobalStep::report() const {

@@ -5,6 +5,7 @@
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/same_bits.hpp"
 #include "kernels/core/small_space.hpp"
+#include "kernels/core/view_copy.hpp"
 #include "kernels/element/elastic_operator.hpp"
 #include "src/step/model/element_blocks.hpp"
 #include "src/step/stable_step/lanczos.hpp"
@@ -68,7 +69,7 @@ void MeshEigenvalue::start_vector() {
         }
       });
   normalise();
-  Kokkos::deep_copy(before_, 0.0);
+  set_values(before_, 0.0);
 }
 
 /// Slots of -A(h) u.
