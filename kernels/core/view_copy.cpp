@@ -12,10 +12,12 @@ void copy_bytes(void* to, const void* from, std::size_t count) {
     std::memcpy(to, from, count);
     return;
   }
-  parallel_for("percuss::copy_bytes", RangeOf(ExecSpace(), 0, static_cast<int>((count + block - 1) / block)), [=](int b) {
-    const std::size_t begin = block * static_cast<std::size_t>(b);
-    std::memcpy(static_cast<char*>(to) + begin, static_cast<const char*>(from) + begin, std::min(block, count - begin));
-  });
+  parallel_for("percuss::copy_bytes", RangeOf(ExecSpace(), 0, static_cast<int>((count + block - 1) / block)),
+               [=](int b) {
+                 const std::size_t begin = block * static_cast<std::size_t>(b);
+                 std::memcpy(static_cast<char*>(to) + begin, static_cast<const char*>(from) + begin,
+                             std::min(block, count - begin));
+               });
 }
 #endif
 

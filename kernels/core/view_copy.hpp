@@ -40,9 +40,8 @@ void set_values(const WorkSpace& space, const View& view, const typename View::v
     constexpr std::int64_t block = 4096;
     const auto count = static_cast<std::int64_t>(view.span());
     auto* const data = view.data();
-    parallel_for("percuss::set_values", RangeOf(space, 0, static_cast<int>((count + block - 1) / block)), [&](int b) {
-      std::fill(data + b * block, data + std::min(count, (b + 1) * block), value);
-    });
+    parallel_for("percuss::set_values", RangeOf(space, 0, static_cast<int>((count + block - 1) / block)),
+                 [&](int b) { std::fill(data + b * block, data + std::min(count, (b + 1) * block), value); });
   } else {
     Kokkos::deep_copy(space.all(), view, value);
   }

@@ -2,7 +2,7 @@
 // material.
 
 #include "kernels/element/hex_body.hpp"
-#ifdef PERCUSS_CALLS_MATERIALS
+#ifdef PERCUSS_ON_DEVICE  // which calls functions of the same source only
 #include "kernels/material/laws/call_material.hpp"
 #endif
 

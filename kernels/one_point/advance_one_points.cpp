@@ -2,7 +2,7 @@
 
 #include "kernels/one_point/one_point_chunks.hpp"
 #include "kernels/tet/advance_solids.hpp"
-#ifdef PERCUSS_CALLS_MATERIALS
+#ifdef PERCUSS_ON_DEVICE  // which calls functions of the same source only
 #include "kernels/material/laws/call_material.hpp"
 #endif
 

@@ -1,7 +1,7 @@
 // Tetrahedra of one material, PERCUSS_MATERIAL. kernels/CMakeLists.txt compiles this for each material.
 
 #include "kernels/tet/advance_solids.hpp"
-#ifdef PERCUSS_CALLS_MATERIALS
+#ifdef PERCUSS_ON_DEVICE  // which calls functions of the same source only
 #include "kernels/material/laws/call_material.hpp"
 #endif
 
