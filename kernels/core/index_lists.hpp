@@ -105,11 +105,14 @@ inline void group_by_key(const WorkSpace& space, const KeyedValues& of, const Ke
         else
           Kokkos::atomic_add(&count(key(i)), 1);
       });
+  int total = 0;
   parallel_scan(
-      "contact::group_offset", RangeOf(space, 0, num_keys + 1), KOKKOS_LAMBDA(int k, int& place, bool final_pass) {
+      "contact::group_offset", RangeOf(space, 0, num_keys + 1),
+      KOKKOS_LAMBDA(int k, int& place, bool final_pass) {
         if (final_pass) offset(k) = place;
         if (k < num_keys) place += count(k);
-      });
+      },
+      total);
   parallel_for(
       "contact::group_fill", RangeOf(space, 0, n), KOKKOS_LAMBDA(int i) {
         if (key(i) >= num_keys) return;

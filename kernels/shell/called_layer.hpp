@@ -44,8 +44,8 @@ class AnyShell {
 
 /// A layer that is called.
 struct CalledLayer {
-  static constexpr int most_history = LaminateLayer::most_history;
-  static_assert(most_history >= HardeningLayer::most_history && most_history >= FabricLayer::most_history);
+  static constexpr int most_history = HardeningLayer::most_history;
+  static_assert(most_history >= LaminateLayer::most_history && most_history >= FabricLayer::most_history);
   static constexpr bool can_yield = true;
   PlaneElasticity elasticity, bound;
   AnyShell shell;

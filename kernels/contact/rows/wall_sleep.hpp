@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "kernels/contact/rows/wall_pairs.hpp"
+#include "kernels/core/small_space.hpp"
 
 namespace percuss {
 

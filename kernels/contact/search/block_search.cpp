@@ -296,11 +296,14 @@ template <class Rule>
 void list_hits(const WorkSpace& space, const BlockWalk<Rule>& walk, int blocks, CandidateList& list) {
   const Array<int> offset = list.offset, face = list.face, count = walk.count;
   const int num_names = walk.query.num_names;
+  int total = 0;
   parallel_scan(
-      "contact::hit_offsets", RangeOf(space, 0, num_names + 1), KOKKOS_LAMBDA(int n, int& place, bool final_pass) {
+      "contact::hit_offsets", RangeOf(space, 0, num_names + 1),
+      KOKKOS_LAMBDA(int n, int& place, bool final_pass) {
         if (final_pass) offset(n) = place;
         if (n < num_names) place += count(n);
-      });
+      },
+      total);
   const BlockWalk<Rule> w = walk;
   parallel_for(
       "contact::list_hits", RangeOf(space, 0, blocks), KOKKOS_LAMBDA(int b) {
