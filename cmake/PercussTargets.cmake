@@ -151,6 +151,7 @@ set(PERCUSS_FILE_TESTS "${PROJECT_SOURCE_DIR}/tests/src/(deck|hdf5|mesh|output)(
 add_custom_target(kernel_tests)      # those of tests/kernels (label kernels)
 add_custom_target(other_unit_tests)  # all others; elsewhere: add_dependencies(other_unit_tests PROGRAM)
 add_custom_target(unit_tests DEPENDS kernel_tests other_unit_tests)
+add_custom_target(quick_tests)   # programs of the entries of label quick
 add_custom_target(file_tests)    # those of decks, meshes and results, which read what others have written (label files)
 
 # percuss_add_test_library(name SOURCES a.cpp ... LINK lib ...): what several tests share, compiled once.
@@ -160,6 +161,18 @@ function(percuss_add_test_library name)
   target_link_libraries(${name} PUBLIC percuss_options ${arg_LINK} Kokkos::kokkos GTest::gtest GTest::gmock)
   percuss_set_test_options(${name})
   percuss_unite(${name})
+endfunction()
+
+# percuss_mark_quick(name...): entries and programs of the short verdict, `scripts/test` (label quick).
+function(percuss_mark_quick)
+  foreach(name IN LISTS ARGN)
+    if(TARGET ${name})
+      add_dependencies(quick_tests ${name})
+    endif()
+    if(TEST ${name})
+      set_property(TEST ${name} APPEND PROPERTY LABELS quick)
+    endif()
+  endforeach()
 endfunction()
 
 # Long tests start first (ctest's COST), so that none is left alone at the end while a core idles.
@@ -224,7 +237,8 @@ if(_percuss_mpiexec MATCHES "Open MPI|OpenRTE")
 endif()
 
 # percuss_add_mpi_test(name RANKS 1 2 3 SOURCES a_test.cpp ... LINK lib ...): a GoogleTest executable that runs under
-# mpirun, with one ctest entry for each number of ranks, label mpi. Up to two ranks run two threads each.
+# mpirun, with one ctest entry for each number of ranks, label mpi; more than three, which wait most of their time on a
+# small machine, also slow. Up to two ranks run two threads each.
 function(percuss_add_mpi_test name)
   cmake_parse_arguments(arg "" "" "RANKS;SOURCES;LINK" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
@@ -233,12 +247,15 @@ function(percuss_add_mpi_test name)
   percuss_unite(${name})
   foreach(ranks IN LISTS arg_RANKS)
     set(threads 1)
+    set(labels mpi)
     if(ranks LESS_EQUAL 2)
       set(threads 2)
+    elseif(ranks GREATER 3)
+      list(APPEND labels slow)
     endif()
     add_test(NAME ${name}_on_${ranks}_ranks COMMAND
       ${MPIEXEC_EXECUTABLE} ${PERCUSS_MPI_FLAGS} ${MPIEXEC_NUMPROC_FLAG} ${ranks} ${MPIEXEC_PREFLAGS} $<TARGET_FILE:${name}>)
-    set_tests_properties(${name}_on_${ranks}_ranks PROPERTIES LABELS mpi COST ${PERCUSS_COST_mpi} TIMEOUT 120 PROCESSORS ${ranks}
+    set_tests_properties(${name}_on_${ranks}_ranks PROPERTIES LABELS "${labels}" COST ${PERCUSS_COST_mpi} TIMEOUT 120 PROCESSORS ${ranks}
       ENVIRONMENT "${PERCUSS_MPI_ENVIRONMENT};OMP_NUM_THREADS=${threads}")
   endforeach()
 endfunction()
