@@ -188,10 +188,7 @@ function(percuss_add_executable_of_tests name)
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE percuss_options ${arg_LINK} percuss_test_main)
   percuss_set_test_options(${name})
-  cmake_path(IS_PREFIX PERCUSS_KERNEL_TESTS ${CMAKE_CURRENT_SOURCE_DIR} is_of_kernels)
-  if(NOT is_of_kernels) # those take most of their time one by one, and their names meet
-    percuss_unite(${name})
-  endif()
+  percuss_unite(${name})
 endfunction()
 
 # percuss_add_test(name LABEL unit SOURCES a_test.cpp ... LINK lib ...): a GoogleTest executable and its ctest entry. Kernels

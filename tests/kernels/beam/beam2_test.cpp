@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-namespace percuss::test {
+namespace percuss::test::beam2_test {
 namespace {
 
 using V = Vector3<double>;
@@ -416,4 +416,4 @@ TEST(BeamLimits, SquaresAddUpAndCompressionDoesNotCount) {
   EXPECT_EQ(find_beam_load(limits, {-100, 0, 0, 0, 0, 0}), 0);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::beam2_test

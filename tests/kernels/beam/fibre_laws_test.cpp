@@ -12,7 +12,7 @@
 
 #include "kernels/beam/beam_step.hpp"
 
-namespace percuss::test {
+namespace percuss::test::fibre_laws_test {
 namespace {
 
 constexpr double young = 200e9, poisson = 0.3, density = 7800;
@@ -159,4 +159,4 @@ TEST(FibreLaws, GiveTheSectionItsPlasticMoment) {
   EXPECT_NEAR(forces.moment_y, exact, 2e-3 * exact);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::fibre_laws_test

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace percuss::test {
+namespace percuss::test::counting_sort_test {
 namespace {
 
 TEST(CountingSort, KeepsTheOrderOfItemsWithOneKey) {
@@ -34,4 +34,4 @@ TEST(CountingSort, PutsItemsOfAnyKindUnderSeveralKeys) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::counting_sort_test

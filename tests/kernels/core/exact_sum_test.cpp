@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-namespace percuss::test {
+namespace percuss::test::exact_sum_test {
 
 namespace {
 
@@ -178,4 +178,4 @@ TEST(ExactSums, HaveTheBitsOfOneSumForAnyBlocks) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::exact_sum_test

@@ -6,7 +6,7 @@
 
 #include "kernels/core/host_copy.hpp"
 
-namespace percuss::test {
+namespace percuss::test::guarded_memory_test {
 namespace {
 
 class Guarded : public ::testing::Test {
@@ -47,4 +47,4 @@ TEST_F(Guarded, TypesOfBothMemoriesDiffer) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::guarded_memory_test

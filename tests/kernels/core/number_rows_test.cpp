@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace percuss::test {
+namespace percuss::test::number_rows_test {
 
 namespace {
 constexpr int width = pack_size<double>;
@@ -82,4 +82,4 @@ TEST(NumberRows, OfThreeNumbersEndWithZero) {
   for (int k = 0; k < 4; ++k) EXPECT_EQ(rows[8 + k], k < 3 ? number(0, k) : -1);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::number_rows_test

@@ -6,7 +6,7 @@
 
 #include "kernels/core/simd.hpp"
 
-namespace percuss {
+namespace percuss::test::simd_test {
 namespace {
 
 template <class Scalar>
@@ -85,4 +85,4 @@ TYPED_TEST(Packs, SquareRootsAreRoundedAsTheScalarOnes) {
 }
 
 }  // namespace
-}  // namespace percuss
+}  // namespace percuss::test::simd_test

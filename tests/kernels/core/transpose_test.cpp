@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace percuss::test {
+namespace percuss::test::transpose_test {
 
 namespace {
 constexpr int width = pack_size<double>;
@@ -66,4 +66,4 @@ TEST(Transpose, SubtractRecordTouchesFourNumbersOnly) {
   for (int k = 0; k < 8; ++k) EXPECT_EQ(to[k], expected[k]);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::transpose_test

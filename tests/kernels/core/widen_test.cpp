@@ -7,7 +7,7 @@
 #include "kernels/core/long_sum.hpp"
 #include "kernels/material/polar.hpp"
 
-namespace percuss::test {
+namespace percuss::test::widen_test {
 
 TEST(Widen, PartsHaveTheLanesInTheirOrder) {
   constexpr int width = pack_size<float>;
@@ -63,4 +63,4 @@ TEST(LongSum, DoublesHaveNoRest) {
   EXPECT_EQ(sizeof(Polar<float>), (15 + 9) * sizeof(float));
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::widen_test

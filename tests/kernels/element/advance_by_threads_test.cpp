@@ -11,7 +11,7 @@
 #include "kernels/core/same_bits.hpp"
 #include "perf/device/box_chunks.hpp"
 
-namespace percuss::test {
+namespace percuss::test::advance_by_threads_test {
 
 namespace {
 
@@ -93,4 +93,4 @@ TYPED_TEST(ByThreads, GivesTheBitsOfPacks) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::advance_by_threads_test

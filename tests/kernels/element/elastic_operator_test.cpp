@@ -11,7 +11,7 @@
 #include "kernels/material/laws/j2_plasticity.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
-namespace percuss::test {
+namespace percuss::test::elastic_operator_test {
 namespace {
 
 constexpr double lambda = 3e9, mu = 2e9, density = 1000;
@@ -123,4 +123,4 @@ TEST(ElasticOperator, TheTangentOfTheViscosityFollowsFromItsPressure) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::elastic_operator_test

@@ -10,7 +10,7 @@
 #include "kernels/material/laws/j2_plasticity.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
-namespace percuss::test {
+namespace percuss::test::hex_kinds_test {
 
 namespace {
 
@@ -185,4 +185,4 @@ TEST(AssumedStrain, GuardActsOnNearInvertedElementsOnly) {
   EXPECT_LE(guard, 1);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::hex_kinds_test

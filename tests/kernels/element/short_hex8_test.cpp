@@ -13,7 +13,7 @@
 #include "kernels/material/laws/call_material.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
-namespace percuss::test {
+namespace percuss::test::short_hex8_test {
 namespace {
 
 constexpr double young = 200e9, poisson = 0.3, density = 7800, unit = 6e-8;
@@ -327,4 +327,4 @@ TYPED_TEST(ShortHex8, CalledMaterialsWorkInDouble) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::short_hex8_test

@@ -8,7 +8,7 @@
 
 #include "tests/kernels/element/random_element.hpp"
 
-namespace percuss::test {
+namespace percuss::test::stiffness_damping_test {
 namespace {
 
 constexpr double lambda = 3e9, mu = 2e9, density = 1000;
@@ -100,4 +100,4 @@ TEST(StiffnessDampingForces, AreStableUpToTheDampedStepAndNotBeyond) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::stiffness_damping_test

@@ -8,7 +8,7 @@
 #include "kernels/material/laws/call_material.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
-namespace percuss::test {
+namespace percuss::test::called_element_test {
 namespace {
 
 constexpr double density = 7800, young = 200e9, poisson = 0.3;
@@ -89,4 +89,4 @@ TYPED_TEST(CalledElement, GasHoldsItsPressureOnEveryFace) {
   EXPECT_NEAR(virial, -3 * 1e5 * b.volume, 1e-9 * 1e5);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::called_element_test

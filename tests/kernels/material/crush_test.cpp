@@ -5,7 +5,7 @@
 #include "tests/kernels/material/point_driver.hpp"
 #include "tests/kernels/material/samples.hpp"
 
-namespace percuss::test {
+namespace percuss::test::crush_test {
 namespace {
 
 [[maybe_unused]] const bool has_samples =
@@ -195,4 +195,4 @@ TEST(LowDensityFoam, PullsAndPushesInDirectionsThatAreNotItsAxes) {
   EXPECT_NEAR(straight.stress.yy, 5e6 * (y - 1) / x, 10);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::crush_test

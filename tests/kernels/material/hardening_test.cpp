@@ -6,7 +6,7 @@
 #include "tests/kernels/material/point_driver.hpp"
 #include "tests/kernels/material/samples.hpp"
 
-namespace percuss::test {
+namespace percuss::test::hardening_test {
 namespace {
 
 [[maybe_unused]] const bool has_samples =
@@ -160,4 +160,4 @@ TEST(Hardening, LaneDoesNotDependOnItsNeighbours) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::hardening_test

@@ -7,7 +7,7 @@
 #include "tests/kernels/material/point_driver.hpp"
 #include "tests/kernels/material/samples.hpp"
 
-namespace percuss::test {
+namespace percuss::test::hyperelastic_test {
 namespace {
 
 [[maybe_unused]] const bool has_samples =
@@ -234,4 +234,4 @@ TEST(PrincipalAxes, PutTheTensorTogetherAgain) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::hyperelastic_test

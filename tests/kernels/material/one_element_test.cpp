@@ -12,7 +12,7 @@
 #include "tests/kernels/material/pairings.hpp"
 #include "tests/kernels/material/point_driver.hpp"
 
-namespace percuss::test {
+namespace percuss::test::one_element_test {
 namespace {
 
 /// Where a step leads: F = turn stretch.
@@ -247,4 +247,4 @@ TYPED_TEST(OneElement, DeformedAsItTurnsIsThePointToSecondOrder) {
   });
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::one_element_test

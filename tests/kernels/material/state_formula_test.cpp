@@ -9,7 +9,7 @@
 #include "tests/kernels/material/point_driver.hpp"
 #include "tests/kernels/material/samples.hpp"
 
-namespace percuss::test {
+namespace percuss::test::state_formula_test {
 namespace {
 
 [[maybe_unused]] const bool has_samples =
@@ -183,4 +183,4 @@ TEST(StateFormula, TntHasItsPublishedPressureWhereItDetonates) {
   EXPECT_NEAR(at.pressure * at.by_energy - at.by_volume, density * speed * speed, 1e-2 * density * speed * speed);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::state_formula_test

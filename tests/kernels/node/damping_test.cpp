@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace percuss::test {
+namespace percuss::test::damping_test {
 
 // One step of the formula in the header, a held direction, a node that nothing damps.
 TEST(Damping, IsTheImpulseOfTheMeanVelocity) {
@@ -84,4 +84,4 @@ TEST(Damping, LeavesALaterImpulseWhole) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::damping_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace percuss::test {
+namespace percuss::test::motion_test {
 
 namespace {
 
@@ -123,4 +123,4 @@ TEST(Motion, FindsTheLargestComponentWhereverItIs) {
   EXPECT_EQ(find_largest_component(ExecSpace(), Rows3<double>("v", 0)), 0);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::motion_test

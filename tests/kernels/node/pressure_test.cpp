@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace percuss::test {
+namespace percuss::test::pressure_test {
 
 namespace {
 
@@ -101,4 +101,4 @@ TEST(Pressure, SumsForcesMomentsAndPowers) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::pressure_test

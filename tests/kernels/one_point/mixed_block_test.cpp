@@ -11,7 +11,7 @@
 #include "tests/kernels/element/node_fields.hpp"
 #include "tests/kernels/one_point/random_solid.hpp"
 
-namespace percuss::test {
+namespace percuss::test::mixed_block_test {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -202,4 +202,4 @@ TYPED_TEST(MixedOnePoint, HasAStepBelowTheTrueLargestFrequency) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::mixed_block_test

@@ -12,7 +12,7 @@
 #include "kernels/one_point/one_point_chunks.hpp"
 #include "tests/kernels/one_point/random_solid.hpp"
 
-namespace percuss::test {
+namespace percuss::test::one_point_test {
 namespace {
 
 /// Corners of the hexahedron that collapses to the shape.
@@ -289,4 +289,4 @@ TYPED_TEST(OnePoint, HasRecordsThatLieAsTheirPlacesSay) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::one_point_test

@@ -9,7 +9,7 @@
 
 #include "kernels/rigid/body_response.hpp"
 
-namespace percuss {
+namespace percuss::test::rigid_motion_test {
 namespace {
 
 using Vector = Vector3<double>;
@@ -145,4 +145,4 @@ TEST(BodyResponse, IsSymmetric) {
 }
 
 }  // namespace
-}  // namespace percuss
+}  // namespace percuss::test::rigid_motion_test

@@ -7,7 +7,7 @@
 
 #include "tests/kernels/shell/random_shell.hpp"
 
-namespace percuss::test {
+namespace percuss::test::fabric_test {
 namespace {
 
 using Three = std::array<double, 3>;
@@ -265,4 +265,4 @@ TEST(Fabric, BoundIsBelowTheExactStepHoweverFarItIsStretched) {
   EXPECT_GT(least, 0.15);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::fabric_test

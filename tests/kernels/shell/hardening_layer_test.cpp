@@ -11,7 +11,7 @@
 
 #include "tests/kernels/element/random_element.hpp"
 
-namespace percuss::test {
+namespace percuss::test::hardening_layer_test {
 namespace {
 
 constexpr double young = 70e9, poisson = 0.33, density = 2700;
@@ -257,4 +257,4 @@ TEST(HardeningLayer, PackGivesTheBitsOfTheScalarInEveryLane) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::hardening_layer_test

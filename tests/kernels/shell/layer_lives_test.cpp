@@ -6,7 +6,7 @@
 
 #include "tests/kernels/shell/random_shell.hpp"
 
-namespace percuss::test {
+namespace percuss::test::layer_lives_test {
 
 namespace {
 
@@ -102,4 +102,4 @@ TEST(LayerLives, StrainsSumUpOfStretchAndCurvature) {
     EXPECT_NEAR(failing.rows[static_cast<std::size_t>(k)], 0, 1e-17);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::layer_lives_test

@@ -4,7 +4,7 @@
 
 #include "tests/kernels/shell/exact_step.hpp"
 
-namespace percuss::test {
+namespace percuss::test::membrane_test {
 namespace {
 
 constexpr double young = 3, poisson = 0.25, thickness = 0.02;
@@ -159,4 +159,4 @@ TEST(Membrane, BoundIsExactForTriangles) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::membrane_test

@@ -11,7 +11,7 @@
 
 #include "kernels/shell/layer_of_law.hpp"
 
-namespace percuss::test {
+namespace percuss::test::metal_ply_test {
 namespace {
 
 constexpr double yield = 200, slope = 100;
@@ -223,4 +223,4 @@ TEST(MetalPly, TheReturnSolvesItsEquationsToRoundOff) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::metal_ply_test

@@ -8,7 +8,7 @@
 #include "kernels/shell/thickness_points.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
-namespace percuss::test {
+namespace percuss::test::plane_stress_test {
 
 namespace {
 
@@ -153,4 +153,4 @@ TEST(ThicknessPoints, IntegratePolynomialsExactly) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::plane_stress_test

@@ -9,7 +9,7 @@
 
 #include "kernels/shell/layer_of_law.hpp"
 
-namespace percuss::test {
+namespace percuss::test::ply_test {
 namespace {
 
 /// Carbon fibres in epoxy (MPa).
@@ -202,4 +202,4 @@ TEST(Ply, WithoutEnergyItIsBrittleOverSomeSteps) {
   EXPECT_NEAR(steps, 50, 15);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::ply_test

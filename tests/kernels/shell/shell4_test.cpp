@@ -6,7 +6,7 @@
 
 #include "tests/kernels/shell/random_shell.hpp"
 
-namespace percuss::test {
+namespace percuss::test::shell4_test {
 
 namespace {
 
@@ -192,4 +192,4 @@ TEST(Shell4, PlasticFlowLeavesOfDrillingWhatItLeavesOfTheMembrane) {
   EXPECT_NEAR((shell.state.drilling - left) / before, yield / (yield + young * p), 1e-4);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::shell4_test

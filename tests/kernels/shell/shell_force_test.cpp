@@ -7,7 +7,7 @@
 #include "kernels/core/host_copy.hpp"
 #include "tests/kernels/shell/random_shell.hpp"
 
-namespace percuss::test {
+namespace percuss::test::shell_force_test {
 
 namespace {
 
@@ -173,4 +173,4 @@ TEST(ShellLauncher, SkipsAChunkThatRestsAndIsSettled) {
   EXPECT_EQ(advance(), 1);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::shell_force_test

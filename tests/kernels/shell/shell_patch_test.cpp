@@ -5,7 +5,7 @@
 
 #include "tests/kernels/shell/random_shell.hpp"
 
-namespace percuss::test {
+namespace percuss::test::shell_patch_test {
 
 namespace {
 
@@ -146,4 +146,4 @@ TEST(ShellPatch, TransverseShearIsUniform) {
   for (const std::size_t left : {0u, 3u}) EXPECT_NEAR(on_node[left] / (0.06 * exact), -1, 1e-12);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::shell_patch_test

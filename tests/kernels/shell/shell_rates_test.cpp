@@ -4,7 +4,7 @@
 
 #include "tests/kernels/shell/random_shell.hpp"
 
-namespace percuss::test {
+namespace percuss::test::shell_rates_test {
 
 namespace {
 
@@ -191,4 +191,4 @@ TEST(ShellForces, ForcesAndMomentsOnWarpedElementsAddUpToZero) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::shell_rates_test

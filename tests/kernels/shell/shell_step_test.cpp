@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace percuss::test {
+namespace percuss::test::shell_step_test {
 
 namespace {
 
@@ -89,4 +89,4 @@ TEST(ShellStep, BoundHoldsForSectionsOffTheMesh) {
   EXPECT_LE(compare_steps(random, 300, 2, 1).largest, 1 + round_off);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::shell_step_test

@@ -6,7 +6,7 @@
 
 #include "tests/kernels/shell/random_shell.hpp"
 
-namespace percuss::test {
+namespace percuss::test::shell_triangle_test {
 
 namespace {
 
@@ -357,4 +357,4 @@ TEST(ShellTriangle, QuadrilateralsAmongTrianglesHaveTheSameBits) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::shell_triangle_test

@@ -6,7 +6,7 @@
 
 #include "tests/kernels/tet/tet_patch.hpp"
 
-namespace percuss::test {
+namespace percuss::test::mixed_form_test {
 namespace {
 
 TEST(MixedTets, HaveOneStressInALinearField) {
@@ -75,4 +75,4 @@ TEST(MixedTets, GuardAnElementWhoseVolumeFallsFarBelowItsMean) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::mixed_form_test

@@ -10,7 +10,7 @@
 #include "kernels/tet/tet_chunks.hpp"
 #include "tests/kernels/tet/tet_patch.hpp"
 
-namespace percuss::test {
+namespace percuss::test::tet4_test {
 namespace {
 
 /// A random tetrahedron of positive volume, its heights some tenth of its size or more.
@@ -182,4 +182,4 @@ TEST(Tet4Records, LieAsTheirPlacesSay) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::tet4_test

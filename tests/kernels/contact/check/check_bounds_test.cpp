@@ -6,7 +6,7 @@
 
 #include "kernels/contact/check/pair_check.hpp"
 
-namespace percuss::test {
+namespace percuss::test::check_bounds_test {
 namespace {
 
 constexpr int num_draws = 20000;
@@ -91,4 +91,4 @@ TEST(CheckBounds, ANodeThatIsSurelyShallowIsNoDeeperThanAHistoryMayBe) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::check_bounds_test

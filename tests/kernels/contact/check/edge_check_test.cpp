@@ -8,7 +8,7 @@
 
 #include "tests/kernels/contact/brick_scene.hpp"
 
-namespace percuss::test {
+namespace percuss::test::edge_check_test {
 namespace {
 
 constexpr double tight = 1e-14;
@@ -305,4 +305,4 @@ TEST(EdgeCheck, DepthIsThatOfTheRidges) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::edge_check_test

@@ -11,7 +11,7 @@
 
 #include "kernels/contact/check/edge_check.hpp"
 
-namespace percuss::test {
+namespace percuss::test::near_edges_test {
 namespace {
 
 constexpr int num_edges = 200;
@@ -103,4 +103,4 @@ TEST(NearEdges, AreNotListedWhereThisSavesLittle) {
                                {2, 0.5 * edges.pairs.num_pairs}, scratch, near));
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::near_edges_test

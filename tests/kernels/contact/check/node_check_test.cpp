@@ -4,7 +4,7 @@
 
 #include "tests/kernels/contact/brick_scene.hpp"
 
-namespace percuss::test {
+namespace percuss::test::node_check_test {
 namespace {
 
 constexpr double tight = 1e-14;
@@ -237,4 +237,4 @@ TEST(NodeCheck, TheListOfTouchesKeepsTheBestInOrderOfTheirKeys) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::node_check_test

@@ -8,7 +8,7 @@
 
 #include "tests/kernels/contact/brick_scene.hpp"
 
-namespace percuss::test {
+namespace percuss::test::rim_check_test {
 namespace {
 
 /// Any values, the same in every run.
@@ -100,4 +100,4 @@ TEST(RimCheck, FacesThatAreKeptForTheStepGiveTheSameTouches) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::rim_check_test

@@ -8,7 +8,7 @@
 
 #include "tests/kernels/contact/brick_scene.hpp"
 
-namespace percuss::test {
+namespace percuss::test::still_items_test {
 namespace {
 
 /// Items of two nodes each, (0, 1), (1, 2), ...
@@ -169,4 +169,4 @@ TEST(StillNodes, AreNotCheckedAgainAndTouchWhatTheyTouched) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::still_items_test

@@ -8,7 +8,7 @@
 
 #include "kernels/contact/enforcement/row_solution.hpp"
 
-namespace percuss::test {
+namespace percuss::test::convergence_test {
 namespace {
 
 /// Gaps of 1000 rows of which the deepest is 1e-3 deep.
@@ -158,4 +158,4 @@ TEST(Convergence, OfWhatIsMetIsReachedByAShareOfTheSize) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::convergence_test

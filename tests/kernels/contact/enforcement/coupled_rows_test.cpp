@@ -11,7 +11,7 @@
 
 #include "tests/kernels/contact/enforcement/enforced_scene.hpp"
 
-namespace percuss::test {
+namespace percuss::test::coupled_rows_test {
 namespace {
 
 using Scene = EnforcedScene<SmallSpace>;
@@ -249,4 +249,4 @@ TEST(CoupledRows, TheOrderInWhichRowsArriveChangesNoBit) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::coupled_rows_test

@@ -7,7 +7,7 @@
 #include "kernels/contact/enforcement/row_solution.hpp"
 #include "tests/kernels/contact/brick_scene.hpp"
 
-namespace percuss::test {
+namespace percuss::test::divergence_test {
 
 // Two walls push a node along d1, d2 at 120 degrees, and their gaps change along g1, g2 with g.d = 1 each and
 // g1.d2 = g2.d1 = cos(170) / cos(50) = -1.53: whatever both push opens less of one gap than it closes of the other.
@@ -47,4 +47,4 @@ TEST(Divergence, RowsThatCloseEachOtherEndWithFinitePushes) {
     EXPECT_NEAR(system.rows(r).impulse.normal, -2 * std::cos(110 * turn) / std::cos(50 * turn), 2e-2);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::divergence_test

@@ -5,7 +5,7 @@
 
 #include "tests/kernels/contact/enforcement/enforced_scene.hpp"
 
-namespace percuss::test {
+namespace percuss::test::enforcement_test {
 namespace {
 
 using Small = EnforcedScene<SmallSpace>;
@@ -243,4 +243,4 @@ TEST(WriteHistory, EmptiesWhatTheStepBeforeWrote) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::enforcement_test

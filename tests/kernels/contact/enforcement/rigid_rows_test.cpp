@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace percuss::test {
+namespace percuss::test::rigid_rows_test {
 namespace {
 
 constexpr double dt = 1e-3, g = 9.81;
@@ -133,4 +133,4 @@ TEST(RigidRows, InAnyOrderHaveTheSameBits) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::rigid_rows_test

@@ -9,7 +9,7 @@
 
 #include "tests/kernels/contact/enforcement/enforced_scene.hpp"
 
-namespace percuss::test {
+namespace percuss::test::springs_test {
 namespace {
 
 using Scene = EnforcedScene<SmallSpace>;
@@ -193,4 +193,4 @@ TEST(Springs, KeepMomentum) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::springs_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace percuss::test {
+namespace percuss::test::tie_strength_test {
 namespace {
 
 TEST(TieStrength, AddsTheSharesOfTensionAndShear) {
@@ -34,4 +34,4 @@ TEST(TieStrength, CountsTensionFromTheSideOfTheNode) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::tie_strength_test

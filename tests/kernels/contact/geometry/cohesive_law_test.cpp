@@ -7,7 +7,7 @@
 #include "kernels/contact/geometry/cohesive_law.hpp"
 #include "kernels/contact/geometry/glue_geometry.hpp"
 
-namespace percuss {
+namespace percuss::test::cohesive_law_test {
 namespace {
 
 CohesiveLaw make_law(double plateau = 0) {
@@ -163,4 +163,4 @@ TEST(GlueGeometry, ForcesDoTheWorkOfTheSeparation) {
   EXPECT_NEAR(power, (energy(at_time(1e-5)) - energy(at_time(-1e-5))) / 2e-5, 1e-8);
 }
 
-}  // namespace percuss
+}  // namespace percuss::test::cohesive_law_test

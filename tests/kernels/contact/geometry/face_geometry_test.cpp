@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace percuss {
+namespace percuss::test::face_geometry_test {
 namespace {
 
 constexpr double tight = 1e-14;
@@ -181,4 +181,4 @@ TEST(FaceGeometry, ADegenerateFaceGivesNumbers) {
 }
 
 }  // namespace
-}  // namespace percuss
+}  // namespace percuss::test::face_geometry_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace percuss {
+namespace percuss::test::swept_root_test {
 namespace {
 
 // Bisection ends at neighbouring doubles; the cubic itself is exact to a few units of round-off.
@@ -122,4 +122,4 @@ TEST(SweptRoot, TwoFacesWithACommonEdgeLeaveNoCrack) {
 }
 
 }  // namespace
-}  // namespace percuss
+}  // namespace percuss::test::swept_root_test

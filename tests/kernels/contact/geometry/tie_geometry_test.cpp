@@ -6,7 +6,7 @@
 
 #include "kernels/contact/rows/tie_row.hpp"
 
-namespace percuss {
+namespace percuss::test::tie_geometry_test {
 namespace {
 
 const FacePoints warped{{{0, 0, 0.1}, {1.1, 0.05, 0}, {1, 0.9, 0.05}, {-0.1, 1, -0.02}}};
@@ -185,4 +185,4 @@ TEST(TurningRow, MomentsBalanceAndDoNoWorkWhereBothTurnAlike) {
 }
 
 }  // namespace
-}  // namespace percuss
+}  // namespace percuss::test::tie_geometry_test

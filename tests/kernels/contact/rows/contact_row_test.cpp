@@ -6,7 +6,7 @@
 
 #include "kernels/contact/rows/row_geometry.hpp"
 
-namespace percuss {
+namespace percuss::test::contact_row_test {
 namespace {
 
 struct RandomRow {
@@ -171,4 +171,4 @@ TEST(ContactRow, ClosesNoMoreThanItsNodesCanHaveMoved) {
 }
 
 }  // namespace
-}  // namespace percuss
+}  // namespace percuss::test::contact_row_test

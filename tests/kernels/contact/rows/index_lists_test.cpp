@@ -9,7 +9,7 @@
 #include "kernels/contact/rows/row_sums.hpp"
 #include "tests/kernels/contact/brick_scene.hpp"
 
-namespace percuss::test {
+namespace percuss::test::index_lists_test {
 namespace {
 
 TEST(IndexLists, GroupsAreSortedWithinEachKeyShortAndLong) {
@@ -76,4 +76,4 @@ TEST(RowSums, AreExactInBothSpaces) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::index_lists_test

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <random>
 
-namespace percuss::test {
+namespace percuss::test::row_filling_test {
 namespace {
 
 struct Draw {
@@ -164,4 +164,4 @@ TEST(RowFilling, EachLaneHasTheBitsOfOneRow) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::row_filling_test

@@ -7,7 +7,7 @@
 #include "kernels/contact/rows/row_geometry.hpp"
 #include "tests/kernels/contact/enforcement/enforced_scene.hpp"
 
-namespace percuss::test {
+namespace percuss::test::row_stiffness_test {
 namespace {
 
 using Small = EnforcedScene<SmallSpace>;
@@ -102,4 +102,4 @@ TEST(ShareSums, AddRowsInTheirOrderWhateverTheFourthColumnHolds) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::row_stiffness_test

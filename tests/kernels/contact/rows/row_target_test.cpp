@@ -6,7 +6,7 @@
 
 #include "kernels/contact/rows/row_geometry.hpp"
 
-namespace percuss::test {
+namespace percuss::test::row_target_test {
 namespace {
 
 TEST(DiscreteGradient, MakesTheWayThatWasSeenChangeTheGapByWhatWasSeen) {
@@ -64,4 +64,4 @@ TEST(RowTarget, AsksForNoMoreThanTheRowsOwnGapAtTheStart) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::row_target_test

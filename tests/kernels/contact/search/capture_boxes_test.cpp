@@ -6,7 +6,7 @@
 
 #include "tests/kernels/contact/brick_scene.hpp"
 
-namespace percuss::test {
+namespace percuss::test::capture_boxes_test {
 namespace {
 
 struct CaptureBoxes : testing::Test {
@@ -33,4 +33,4 @@ TEST_F(CaptureBoxes, TheLargestDistanceIsThatOfEitherEndOfTheStep) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::capture_boxes_test

@@ -14,7 +14,7 @@
 #include "kernels/core/host_copy.hpp"
 #include "tests/kernels/contact/brick_scene.hpp"
 
-namespace percuss::test {
+namespace percuss::test::edge_search_test {
 namespace {
 
 using Pairs = std::vector<std::pair<int, int>>;
@@ -126,4 +126,4 @@ TEST(EdgeSearch, GoesOnWithTheOrderOfOtherEdges) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::edge_search_test

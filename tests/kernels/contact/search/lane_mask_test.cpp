@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-namespace percuss {
+namespace percuss::test::lane_mask_test {
 namespace {
 
 // Few different coordinates, so that many boxes end where another begins.
@@ -141,4 +141,4 @@ TEST(LaneMask, NumbersAreFoundThatAreOneOfFourValues) {
 }
 
 }  // namespace
-}  // namespace percuss
+}  // namespace percuss::test::lane_mask_test

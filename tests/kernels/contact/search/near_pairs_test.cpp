@@ -7,7 +7,7 @@
 #include "kernels/contact/search/near_pairs.hpp"
 #include "tests/kernels/contact/brick_scene.hpp"
 
-namespace percuss::test {
+namespace percuss::test::near_pairs_test {
 namespace {
 
 /// Bricks of size 1 side by side and on one another, `gap` apart.
@@ -143,4 +143,4 @@ TEST(NearPairs, AtRestOnlyWhatTouchesIsNear) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::near_pairs_test

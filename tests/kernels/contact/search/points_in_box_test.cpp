@@ -10,7 +10,7 @@
 #include "kernels/contact/search/kd_order.hpp"
 #include "tests/kernels/contact/brick_scene.hpp"
 
-namespace percuss::test {
+namespace percuss::test::points_in_box_test {
 namespace {
 
 using Pairs = std::vector<std::pair<int, int>>;
@@ -291,4 +291,4 @@ TEST(PointOrder, RanksByCoordinateThenByPlaceInTheList) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::points_in_box_test

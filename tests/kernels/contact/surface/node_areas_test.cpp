@@ -8,7 +8,7 @@
 
 #include "kernels/core/host_copy.hpp"
 
-namespace percuss {
+namespace percuss::test::node_areas_test {
 namespace {
 
 /// One node with corners of faces around it. areas: of these corners.
@@ -61,4 +61,4 @@ TEST(NodeAreas, PressIsTheImpulseOverTheArea) {
 }
 
 }  // namespace
-}  // namespace percuss
+}  // namespace percuss::test::node_areas_test

@@ -6,7 +6,7 @@
 
 #include "tests/kernels/contact/brick_scene.hpp"
 
-namespace percuss::test {
+namespace percuss::test::vertex_normals_test {
 namespace {
 
 struct Draw {
@@ -65,4 +65,4 @@ TEST(VertexNormals, OfAllFacesAroundANodeAreThoseOfEachFace) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::vertex_normals_test

@@ -11,7 +11,7 @@
 
 #include "kernels/core/host_copy.hpp"
 
-namespace percuss::test {
+namespace percuss::test::wall_sleep_test {
 namespace {
 
 constexpr int num_nodes = 400;
@@ -149,4 +149,4 @@ TEST(WallSleep, AnUnknownWayWakesAll) {
   EXPECT_GE(cloud.expect_none_missed(), num_nodes);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::wall_sleep_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace percuss {
+namespace percuss::test::failure_criteria_test {
 namespace {
 
 using Tensor = Symmetric3<double>;
@@ -349,4 +349,4 @@ TEST(ShearDamage, AddsUpBesideThatOfTheMeanStress) {
   EXPECT_NEAR(none.damage, 0.05 / (0.5 * 1.5 * 0.4), 1e-14);
 }
 
-}  // namespace percuss
+}  // namespace percuss::test::failure_criteria_test

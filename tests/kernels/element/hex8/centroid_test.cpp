@@ -6,7 +6,7 @@
 
 #include "tests/kernels/element/random_element.hpp"
 
-namespace percuss::test {
+namespace percuss::test::centroid_test {
 
 namespace {
 
@@ -127,4 +127,4 @@ TEST(Centroid, WeightCountsUpToTwiceGravityOrToTheJumpOfAWave) {
   EXPECT_NEAR(share({1e6, 0, 0}, 2.2e6), 0.022, 1e-12);  // a shock: 0.001 of 2.2e6 over 0.1
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::centroid_test

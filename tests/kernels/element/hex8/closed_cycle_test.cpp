@@ -12,7 +12,7 @@
 #include "kernels/material/elastic.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
-namespace percuss::test {
+namespace percuss::test::closed_cycle_test {
 namespace {
 
 constexpr LameConstants moduli{1.5, 1.0};
@@ -156,4 +156,4 @@ TEST(ForceIncrement, CarriesGradientsAsTheStepCarriesPlaces) {
   EXPECT_LT(find_difference(transpose(f) * find_force_increment(l, 1.0), one), 1e-15);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::closed_cycle_test

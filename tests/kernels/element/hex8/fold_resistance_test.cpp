@@ -9,7 +9,7 @@
 
 #include "tests/kernels/element/random_element.hpp"
 
-namespace percuss::test {
+namespace percuss::test::fold_resistance_test {
 
 namespace {
 
@@ -237,4 +237,4 @@ TEST(FoldResistance, AnElementWithAFoldingCornerIsOblique) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::fold_resistance_test

@@ -9,7 +9,7 @@
 #include "kernels/material/laws/j2_plasticity.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
-namespace percuss::test {
+namespace percuss::test::hex8_test {
 
 namespace {
 
@@ -252,4 +252,4 @@ TYPED_TEST(Hex8Force, PacksGiveTheSameBitsAsScalars) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::hex8_test

@@ -7,7 +7,7 @@
 
 #include "tests/kernels/element/random_element.hpp"
 
-namespace percuss::test {
+namespace percuss::test::kinematics_test {
 
 namespace {
 
@@ -84,4 +84,4 @@ TEST(Kinematics, StretchAndRotationMultiplyToTheDeformation) {
   EXPECT_LT(largest(full(p.stretch) * p.rotation - f), 1e-12);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::kinematics_test

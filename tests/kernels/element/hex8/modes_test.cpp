@@ -4,7 +4,7 @@
 
 #include "tests/kernels/element/random_element.hpp"
 
-namespace percuss::test {
+namespace percuss::test::modes_test {
 
 namespace {
 
@@ -102,4 +102,4 @@ TEST(Modes, UniformVelocityGivesExactlyNoGradient) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::modes_test

@@ -6,7 +6,7 @@
 
 #include "tests/kernels/element/random_element.hpp"
 
-namespace percuss::test {
+namespace percuss::test::plastic_bending_test {
 namespace {
 
 /// Axial force and moment of a plate over their limits.
@@ -89,4 +89,4 @@ TEST(PlasticBending, BentCubeHasTheLimitMomentOfAPlateStrip) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::plastic_bending_test

@@ -12,7 +12,7 @@
 #include "kernels/material/laws/j2_plasticity.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
-namespace percuss::test {
+namespace percuss::test::stable_step_test {
 
 namespace {
 
@@ -136,4 +136,4 @@ TEST(StableStep, DampingShortensTheStepOfALaggedOscillator) {
   EXPECT_TRUE(grows(1.01 * dt));
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::stable_step_test

@@ -14,7 +14,7 @@
 #include "kernels/material/elastic.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
-namespace percuss::test {
+namespace percuss::test::thick_shell_statics_test {
 
 namespace {
 
@@ -193,4 +193,4 @@ TEST(ThickShellStatics, SimplySupportedSquareHasTheDeflectionOfAThinPlate) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::thick_shell_statics_test

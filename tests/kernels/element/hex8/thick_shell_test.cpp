@@ -12,7 +12,7 @@
 #include "kernels/material/laws/j2_plasticity.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
-namespace percuss::test {
+namespace percuss::test::thick_shell_test {
 
 namespace {
 
@@ -293,4 +293,4 @@ TEST(ThickShell, BoundHoldsForEveryShape) {
   EXPECT_GT(compare_bounds({1, 0, 0.25, 0.3, 0.5, 1, 1}, 2000).mean, 0.3);  // and oblique
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::thick_shell_test

@@ -9,7 +9,7 @@
 #include "tests/kernels/material/point_driver.hpp"
 #include "tests/kernels/material/samples.hpp"
 
-namespace percuss::test {
+namespace percuss::test::anisotropic_plasticity_test {
 namespace {
 
 [[maybe_unused]] const bool has_samples = provide_sample<AnisotropicPlasticity>(
@@ -125,4 +125,4 @@ TEST(AnisotropicPlasticity, NamesWhatIsWrong) {
   EXPECT_STREQ(c.find_fault(), "yield_ratios with an exponent (they are Hill's: leave it 2)");
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::anisotropic_plasticity_test

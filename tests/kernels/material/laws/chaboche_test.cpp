@@ -9,7 +9,7 @@
 #include "tests/kernels/material/point_driver.hpp"
 #include "tests/kernels/material/samples.hpp"
 
-namespace percuss::test {
+namespace percuss::test::chaboche_test {
 namespace {
 
 [[maybe_unused]] const bool has_samples =
@@ -123,4 +123,4 @@ TEST(Chaboche, NamesConstantsThatContradictEachOther) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::chaboche_test

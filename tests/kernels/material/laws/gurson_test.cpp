@@ -9,7 +9,7 @@
 #include "tests/kernels/material/point_driver.hpp"
 #include "tests/kernels/material/samples.hpp"
 
-namespace percuss::test {
+namespace percuss::test::gurson_test {
 namespace {
 
 Gurson make_sample() {
@@ -183,4 +183,4 @@ TEST(Gurson, NamesConstantsThatContradictEachOther) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::gurson_test

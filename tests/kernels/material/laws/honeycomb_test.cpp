@@ -7,7 +7,7 @@
 #include "tests/kernels/material/point_driver.hpp"
 #include "tests/kernels/material/samples.hpp"
 
-namespace percuss::test {
+namespace percuss::test::honeycomb_test {
 namespace {
 
 [[maybe_unused]] const bool has_samples = provide_sample<Honeycomb>({7e9,
@@ -121,4 +121,4 @@ TEST(Honeycomb, EachShearHasItsOwnModulusAndStrengthAtAnyCrush) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::honeycomb_test

@@ -5,7 +5,7 @@
 #include "tests/kernels/material/point_driver.hpp"
 #include "tests/kernels/material/samples.hpp"
 
-namespace percuss::test {
+namespace percuss::test::johnson_cook_test {
 namespace {
 
 JohnsonCook make_sample() {
@@ -120,4 +120,4 @@ TEST(JohnsonCook, IsHeatedByAShock) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::johnson_cook_test

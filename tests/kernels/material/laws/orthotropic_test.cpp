@@ -10,7 +10,7 @@
 
 #include "tests/kernels/material/samples.hpp"
 
-namespace percuss::test {
+namespace percuss::test::orthotropic_test {
 namespace {
 
 [[maybe_unused]] const bool has_samples = provide_sample<Orthotropic>(
@@ -101,4 +101,4 @@ TEST(Orthotropic, NoStrainMeetsMoreStiffnessThanItsBound) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::orthotropic_test

@@ -8,7 +8,7 @@
 #include "tests/kernels/material/point_driver.hpp"
 #include "tests/kernels/material/samples.hpp"
 
-namespace percuss::test {
+namespace percuss::test::principal_stretches_test {
 namespace {
 
 [[maybe_unused]] const bool has_samples =
@@ -274,4 +274,4 @@ TEST(TabulatedRubber, GivesItsEnergyBackAndBoundsItsWaves) {
   expect_bounded_waves(law);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::principal_stretches_test

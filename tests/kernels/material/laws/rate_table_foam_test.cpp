@@ -12,7 +12,7 @@
 
 #include "tests/kernels/material/samples.hpp"
 
-namespace percuss::test {
+namespace percuss::test::rate_table_foam_test {
 namespace {
 
 RateTableFoam make_sample() {
@@ -323,4 +323,4 @@ TEST(RateTableFoam, RefusesCurvesThatAreNoneOfAFoam) {
   EXPECT_EQ(find_fault(0, good, {{-1, -1}, {0, 0}, {0.5, 1}}), "rows of tension in some curves and not in others");
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::rate_table_foam_test

@@ -11,7 +11,7 @@
 #include "tests/kernels/material/point_driver.hpp"
 #include "tests/kernels/material/samples.hpp"
 
-namespace percuss::test {
+namespace percuss::test::rate_table_plasticity_test {
 namespace {
 
 RateTablePlasticity make_sample() {
@@ -171,4 +171,4 @@ TEST(RateTablePlasticity, EndsOnTheCurvesWhateverTheyAre) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::rate_table_plasticity_test

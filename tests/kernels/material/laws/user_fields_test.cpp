@@ -13,7 +13,7 @@
 #include "kernels/material/user/user_law.hpp"
 #include "tests/kernels/material/samples.hpp"
 
-namespace percuss::test {
+namespace percuss::test::user_fields_test {
 namespace {
 
 /// What a user would bring: St. Venant and Kirchhoff's law as a VUMAT, of the increments of strain. PROPS: lambda, mu;
@@ -112,4 +112,4 @@ TEST(UserFields, StatesAndFieldsGoFromVusdfldToTheLaw) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::user_fields_test

@@ -5,7 +5,7 @@
 #include "tests/kernels/material/point_driver.hpp"
 #include "tests/kernels/material/samples.hpp"
 
-namespace percuss::test {
+namespace percuss::test::user_hardening_test {
 namespace {
 
 /// What a user would bring: Voce's growth times a linear rate and a softening that is linear in the temperature, which
@@ -153,4 +153,4 @@ TEST(UserHardening, EndsTheRunWhereTheCodeTellsNoNumberOrWritesElsewhere) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::user_hardening_test

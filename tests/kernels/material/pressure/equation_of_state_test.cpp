@@ -8,7 +8,7 @@
 #include "tests/kernels/material/point_driver.hpp"
 #include "tests/kernels/material/samples.hpp"
 
-namespace percuss::test {
+namespace percuss::test::equation_of_state_test {
 namespace {
 
 [[maybe_unused]] const bool has_samples = provide_sample<Fluid>({});
@@ -181,4 +181,4 @@ TEST(EquationOfState, ExplosiveBurnsWhenTheDetonationArrives) {
   EXPECT_NEAR(find(11e-6), burnt, 1e-9 * burnt);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::equation_of_state_test
