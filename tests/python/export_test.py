@@ -6,7 +6,6 @@ import csv
 import json
 import os
 import subprocess
-import sys
 import tempfile
 import unittest
 
@@ -27,6 +26,7 @@ except ImportError:
     vtkXMLUnstructuredGridReader = None
 
 import percuss  # noqa: E402
+from tool_command import call_tool  # noqa: E402
 from percuss.errors import NotResults  # noqa: E402
 from percuss.export.selection import parse_frames  # noqa: E402
 
@@ -160,7 +160,7 @@ class Export(unittest.TestCase):
         cls.run_ = percuss.read(cls.out)
 
     def export(self, *words, code=0):
-        done = subprocess.run([sys.executable, "-m", "percuss", "export", self.out, *words], capture_output=True, text=True, timeout=120)
+        done = call_tool("export", self.out, *words)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done.stdout + done.stderr
 

@@ -5,7 +5,6 @@ import re
 import shlex
 import signal
 import subprocess
-import sys
 import tempfile
 import unittest
 
@@ -18,6 +17,7 @@ import numpy as np
 
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
+from tool_command import call_tool  # noqa: E402
 from percuss.results.history import History  # noqa: E402
 from percuss.plot.panels import BadChoice, choose_panels, list_panels  # noqa: E402
 from percuss.plot.series import Options, find_controlling_parts, make_curve, thin  # noqa: E402
@@ -32,7 +32,7 @@ class Plot(unittest.TestCase):
         cls.run_ = percuss.read(cls.out)
 
     def plot(self, *arguments):
-        return subprocess.run([sys.executable, "-m", "percuss", "plot", *arguments], capture_output=True, text=True, timeout=120)
+        return call_tool("plot", *arguments)
 
     def test_writes_png_and_svg_without_an_argument_more(self):
         done = self.plot(self.out)

@@ -5,7 +5,6 @@ import json
 import os
 import shutil
 import subprocess
-import sys
 import tempfile
 import threading
 import time
@@ -14,6 +13,8 @@ import unittest
 from given import PERCUSS, require
 
 require("h5py", "matplotlib")
+
+from tool_command import call_tool  # noqa: E402
 
 SCENE = """\
 title: Two blocks meet
@@ -59,9 +60,7 @@ class OfAFolder(unittest.TestCase):
         return self.call("run", deck, "--out", out, "-q", *words, code=code)
 
     def tool(self, name, *words, code=0):
-        command = [sys.executable, "-m", "percuss", name, *words]
-        environment = dict(os.environ, PERCUSS_PROGRAM=PERCUSS, OMP_NUM_THREADS="1")
-        done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=250, env=environment, errors="replace")
+        done = call_tool(name, *words, folder=self.folder, PERCUSS_PROGRAM=PERCUSS, OMP_NUM_THREADS="1")
         self.assertEqual(done.returncode, code, done.stderr)
         self.assertNotIn("Traceback", done.stderr)
         return done.stderr + done.stdout

@@ -20,6 +20,7 @@ try:
 except ImportError:
     scipy = None
 
+from tool_command import call_tool  # noqa: E402
 from percuss.sweep.designs import BadDesign, cross, parse_factor, read_designs, sample  # noqa: E402
 from percuss.sweep.statistics import correlate, find_main_effect, place_inputs, rank  # noqa: E402
 
@@ -109,7 +110,7 @@ class Sweep(unittest.TestCase):
         return [sys.executable, "-m", "percuss", "sweep", "cube.yaml", *words]
 
     def sweep(self, *words, code=0):
-        done = subprocess.run(self.command(*words), capture_output=True, text=True, timeout=300, cwd=self.folder, env=ENVIRONMENT)
+        done = call_tool("sweep", "cube.yaml", *words, folder=self.folder, **ENVIRONMENT)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done
 

@@ -5,7 +5,6 @@ import base64
 import json
 import os
 import re
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -21,6 +20,7 @@ from browsers import CHROMIUM, FIREFOX, XVFB, Chromium, Firefox  # noqa: E402
 from page_tools import PERCUSS, read_surface  # noqa: E402
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
+from tool_command import call_tool  # noqa: E402
 from percuss.render.selection import BadChoice, check_field  # noqa: E402
 from percuss.view.coarse import merge_nodes  # noqa: E402
 from percuss.view.reduce import FEWEST_FRAMES, pack_view  # noqa: E402
@@ -56,7 +56,7 @@ class OfARun(unittest.TestCase):
 
     @classmethod
     def make(cls, *words, code=0):
-        done = subprocess.run([sys.executable, "-m", "percuss", "view", cls.out, *words], capture_output=True, text=True, timeout=200)
+        done = call_tool("view", cls.out, *words)
         assert done.returncode == code, done.stdout + done.stderr
         return done.stdout + done.stderr
 
