@@ -113,7 +113,7 @@ ElementChunks make_chunks(const BoxMesh& mesh, const BoxPlan& plan) {
   return chunks;
 }
 
-/// Of one chunk; all are alike.
+/// Sums of the nodes of one chunk; all chunks are alike.
 struct ChunkSums {
   std::vector<int> first_sum;  // [rounds]
   std::vector<SlotSum> sums;

@@ -52,9 +52,9 @@ class ContactStage {
   /// What sensors have seen at the start, before prepare(): which pairs, walls and ties act. Collective.
   void set_switches(const std::vector<char>& happened);
 
-  /// The same between steps, with x and v of the state. What overlaps where a pair or a wall begins to act is taken as
-  /// that of the start; a tie holds nodes where they are then. Returns what is to be said, the same on all ranks;
-  /// throws RunError with it where the deck refuses overlap. Collective.
+  /// As set_switches(), between steps, with x and v of the state. Overlap where a pair or a wall begins to act is
+  /// treated as overlap at the start; a tie holds nodes where they are then. Returns the messages for the user, the
+  /// same on all ranks; throws RunError with them where the deck refuses overlap. Collective.
   std::vector<std::string> switch_now(const std::vector<char>& happened, Rows3<const double> x, Rows3<const double> v);
 
   /// Overlap at time 0 between surfaces, found and accepted or marked for pushing out as the deck says. Returns one
@@ -70,7 +70,7 @@ class ContactStage {
   /// What prepare() found, of all ranks; empty before it.
   const StartOverlap& start_overlap() const;
 
-  /// Of the ties of the start. Collective.
+  /// Measures the ties of the start. Collective.
   TieMeasures measure_ties() const;
 
   /// How much of the overlap of the start is left at positions x, in a line; empty if there was none. Collective.
@@ -104,13 +104,13 @@ class ContactStage {
   /// a warning, once. Collective.
   void watch_depth(Rows3<const double> x, Rows3<const double> v, double time);
 
-  /// The same of sharp edges alone, more often: after steps that are so many more than the last look as it has cost.
+  /// As watch_depth(), for sharp edges alone and more often: at intervals that grow with the cost of the last check.
   void watch_edges(Rows3<const double> x, long step, double time);
 
-  /// Of ties that have let go, and of what watch_depth() and watch_edges() found, since this was last called.
+  /// Warnings of failed ties, and those of watch_depth() and watch_edges(), since the last call.
   std::vector<Warning> take_warnings();
 
-  /// The same for a state from a checkpoint, before archive(): the surface alone.
+  /// Rebuilds the surface for a state from a checkpoint, before archive().
   void restore_surface();
 
   /// For steps before time 0: walls that move stand still.

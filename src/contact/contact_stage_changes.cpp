@@ -116,7 +116,7 @@ std::string ContactStage::Impl::describe(const StartOverlap& found, const std::s
   return describe_overlap(found, contact.overlap, mesh, deepest, when);
 }
 
-/// The same of parts that cross where they may touch now, and could not at the start. Throws RunError where the deck
+/// Describes parts that cross where they may touch now, and could not at the start. Throws RunError where the deck
 /// refuses them. Collective.
 std::string ContactStage::Impl::describe_born_crossings(const Rows3<const double>& x) const {
   std::vector<PartCrossing> born = find_crossings(x);

@@ -155,7 +155,7 @@ ssize_t follow_pwrite(const char* symbol, int file, const void* data, std::size_
       [&] { next(file, data, size / 2, offset); }, [&] { return static_cast<ssize_t>(size); });
 }
 
-/// Of what was read, if it is this call's turn, a bit in the middle is turned.
+/// Turns a bit in the middle of what was read, if it is this call's turn.
 ssize_t follow_read(const char* function, int file, void* data, ssize_t got) {
   if (!plan().counts || !plan().is_of_reads || got <= 0) return got;
   const std::string path = find_path(file);

@@ -134,7 +134,7 @@ class UserFields(LawTest):
         # The field of the step before softens, too, so that it must be kept.
         self.compile(DAMAGE, body="if (nfieldv .gt. 0) stressNew(k,2) = stressNew(k,2) * (1.d0 - 0.01d0 * fieldOld(k,1))")
         self.check_bits(shoot(user(SOFTENING)))
-        # Of a VUHARD the strain since the start and the field count: LE, and a field that VUSDFLD adds up in a state variable.
+        # A VUHARD sees the strain since the start and the field: LE, and a field that VUSDFLD adds up in a state variable.
         self.compile(DAMAGE, law=HARDENING.replace("fieldNew(k,1))", "fieldOld(k,1))"))
         self.check_bits(shoot(hard(SOFTENING)))
 

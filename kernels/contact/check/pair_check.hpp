@@ -325,7 +325,7 @@ KOKKOS_INLINE_FUNCTION void measure_ends(const MovingSurface& moving, const Pair
   }
 }
 
-/// The same of one face.
+/// measure_ends() for one face.
 KOKKOS_INLINE_FUNCTION FacePoint measure_one_end(const MovingSurface& moving, const FacePoints& end, Touch& touch) {
   const FacePoint closest = find_closest_point(end);
   if (!is_in_reach(closest, touch)) return closest;

@@ -31,7 +31,7 @@ class StillItems {
     set_values(moved_, 1);
   }
 
-  /// Of a check so many of the items were still: if these are few, they are not looked for in the next ones.
+  /// Takes how many items of a check were still. If these are few, the next checks do not look for still items.
   void count_still(int still, int items) {
     constexpr int pause = 15, worth_it = 8;  // checks; one item in so many
     if (watched_in_a_row_ > 1 && worth_it * still < items) turns_to_pass_ = pause;

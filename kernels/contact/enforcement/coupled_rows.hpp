@@ -32,7 +32,7 @@ struct CoupledReport {
 /// out, [rows]. dt: step.
 CoupledReport solve_coupled_rows(const std::vector<CoupledRow>& rows, double dt, std::vector<RowImpulse>& impulses);
 
-/// The same for rows in any order.
+/// As solve_coupled_rows(), for rows in any order.
 CoupledReport solve_in_key_order(const std::vector<CoupledRow>& rows, double dt, std::vector<RowImpulse>& impulses);
 
 /// The rows of a rank with their nodes. node_numbers: [mesh nodes].

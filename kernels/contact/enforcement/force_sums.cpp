@@ -36,7 +36,7 @@ struct RowNodeChunks {
 /// Slots of the pushed point.
 KOKKOS_INLINE_FUNCTION int count_pushed_slots(const ContactRow& row) { return row.kind == RowKind::edges ? 2 : 1; }
 
-/// Of a chunk and of the surface that one side of a row lies on.
+/// Sides of one side of a row: those of its chunk and those of the surface that it lies on.
 KOKKOS_INLINE_FUNCTION SideBits join_sides(const ForceSides& sides, int chunk, const SideBits& surface) {
   const std::uint32_t one = sides.one(chunk) | surface.one;
   return {one, sides.other(chunk) | surface.other | (sides.from_all & ~one)};
@@ -83,7 +83,7 @@ KOKKOS_INLINE_FUNCTION void add_row(const ContactRow& row, const RowSides& mark,
   sums.tangential.add(std::sqrt(t[0] * t[0] + t[1] * t[1]));
 }
 
-/// Of a row on the node of a slot; ties have none.
+/// Push of a row on the node of a slot; zero for ties.
 KOKKOS_INLINE_FUNCTION NormalPush find_push(const ContactRow& row, const RowSides& mark, int slot) {
   const std::uint32_t forces = slot < count_pushed_slots(row) ? mark.forward : mark.backward;
   if (forces == 0 || is_tie(row) || row.impulse.normal == 0) return {};

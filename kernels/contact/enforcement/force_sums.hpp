@@ -37,7 +37,7 @@ struct SideBits {
   std::uint32_t one = 0, other = 0;
 };
 
-/// Of both sides of a row.
+/// Sides of the pushed and of the pushing side of a row.
 struct RowSurfaces {
   SideBits pushed, pushing;
 };
@@ -75,7 +75,7 @@ struct PushBooks {
       first;           // [chunks * forces] place of the chunk's first node; -1: not of that side, or not of this rank
   Rows4<double> sums;  // [places] impulse along the normals of the rows [force x time], and the time with a push
 
-  /// Of a node by its number; -1: it has none.
+  /// Place of a node by its number; -1: it has none.
   KOKKOS_INLINE_FUNCTION int find_place(const ForceSides& sides, int chunk, std::int64_t number, int force) const {
     const int start = first(chunk * forces + force);
     return start < 0 ? -1 : start + static_cast<int>(number - sides.first_node(chunk));
@@ -106,7 +106,7 @@ struct AreaNodes {
   NodeFaces around;
 };
 
-/// Of a force's first side since its books were cleared.
+/// Area and largest pressure on a force's first side since its sums were cleared.
 struct AreaSums {
   ExactSum area;     // of each node for the time in which it was pushed [area x time]
   double press = 0;  // largest impulse of a node over its area [stress x time]

@@ -33,7 +33,7 @@ struct OneRank {
   CoupledReport solve_together(const std::vector<CoupledRow>& rows, double dt, std::vector<RowImpulse>& impulses) {
     return solve_in_key_order(rows, dt, impulses);
   }
-  // The same for those between rigid bodies.
+  // Solves the rows between rigid bodies.
   RigidReport solve_rigid(const RigidRowList& list, const RigidQuery& query, std::vector<RigidImpulse>& impulses) {
     return solve_rigid_rows(list.rows, list.others, list.responses, query, impulses);
   }
@@ -86,7 +86,7 @@ struct SolveQuery {
   Array<const std::int64_t> node_numbers{};  // [mesh nodes]; lagrange
 };
 
-/// The same of every enforcement: solve_kinematic(), solve_lagrange() and solve_springs() take the same arguments and
+/// What every enforcement reports: solve_kinematic(), solve_lagrange() and solve_springs() take the same arguments and
 /// leave impulses in the rows and their dv in RowSystem::correction.
 struct SolveReport {
   std::int64_t rows = 0;  // on all ranks; 0: nothing was done here
@@ -106,12 +106,13 @@ struct Convergence {
   // Share of the largest way that a tied node would take from its place in the step. Ties are always at work: what they
   // leave is a noise that bodies see in every step.
   static constexpr double tie_tolerance = 1e-6;
-  // Of a row among others, in tolerances; of the work of all changes over that of all impulses, in tolerances.
+  // Limits in tolerances: of the change of one row while others converge, and of the work of all changes over that of
+  // all impulses.
   static constexpr double most_of_one = 10, most_of_work = 0.2;
   // The least tolerance that works can judge: the change of each row is counted in whole units, which lie as far below
   // the largest work of a row as EnergyUnit::after() says. Of that row they resolve a fiftieth of what may change.
   static constexpr double finest_of_work = 1e-6;
-  // Of the tolerance, where rigid bodies are among the rows: what is left of a rebound stays for good.
+  // Factor on the tolerance where rigid bodies are among the rows: what is left of a rebound stays for good.
   static constexpr double of_rigid = 1e-3;
 
   double enough = 0, enough_of_one = 0, enough_tied = 0, enough_work = 0;

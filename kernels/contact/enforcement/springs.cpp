@@ -256,7 +256,8 @@ KOKKOS_INLINE_FUNCTION double settle_row(ContactRow& row, const RowNodes& at, co
   return moved > rubbed ? moved : rubbed;
 }
 
-/// Of the energy by Hooke's law: what a spring has that has given all it held. With 0 that would not be known.
+/// Least energy that a spring is said to hold, as a share of its energy by Hooke's law: a spring that has given all it
+/// held has this. With 0 that would not be known.
 constexpr double least_held = 1e-12;
 
 /// What the sides have given the spring at n+1/2. A stop, which pushes more than a spring, keeps nothing of it.

@@ -22,7 +22,7 @@ KOKKOS_INLINE_FUNCTION double find_spring(const ContactRow& row, const Array<con
   return front + back > 0 ? front * back / (front + back) : 0;
 }
 
-/// Of the step; the middle of the last step is dt_mean before that of this one.
+/// Durations of the step; the middle of the last step is dt_mean before that of this one.
 struct SpringTimes {
   double dt = 0, dt_mean = 0;
   KOKKOS_INLINE_FUNCTION double before() const { return 2 * dt_mean - dt; }  // the last step

@@ -8,7 +8,7 @@ namespace percuss::contact_limits {
 
 /// A node beside a face by no more than this still hits it: wider than round-off, far below what a user would see.
 inline constexpr double new_band = 1e-3;
-/// The same for a node that has been pushed by this face or a neighbour: it may not fall off a curved edge.
+/// As new_band, for a node that has been pushed by this face or a neighbour: it may not fall off a curved edge.
 inline constexpr double history_band = 1e-2;
 /// A node behind a face by more than this, at the start of a step and without history, did not come through it.
 inline constexpr double new_depth = 0.02;
@@ -21,8 +21,8 @@ inline constexpr double history_depth = 0.25;
 inline constexpr double row_gap = 0.02;
 /// ... and by so many ways of the step more.
 inline constexpr double row_gap_ways = 2;
-/// The same for a face that pushed the node in the last step. The node is seen to go on as it went, and may go
-/// elsewhere.
+/// As row_gap, for a face that pushed the node in the last step. The predicted motion continues that of the last step,
+/// and may be wrong.
 inline constexpr double history_row_gap = 0.25;
 /// No accepted pair is farther apart than this; capture boxes are widened by it.
 inline constexpr double capture = 0.27;

@@ -29,7 +29,7 @@ KOKKOS_INLINE_FUNCTION bool is_same_point(const Point3& a, const Point3& b) {
   return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-/// Of a triangle, a corner of which stands twice, without the edge between these.
+/// Shortest edge of a face. A triangle has one corner twice: the edge between both copies does not count.
 template <class T>
 PERCUSS_FORCE_INLINE T find_shortest_edge(const FaceOf<T>& face) {
   const T zero(0);

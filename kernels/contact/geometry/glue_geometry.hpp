@@ -9,7 +9,7 @@
 
 namespace percuss {
 
-/// Of a node and its face at a moment.
+/// Where a glued node is from its face at a moment.
 struct Separation {
   TurnedTie turned;
   Point3 arm{};     // from sum N_i x_i to the node

@@ -21,7 +21,7 @@ KOKKOS_FORCEINLINE_FUNCTION void store_point(double (&to)[3][packed_lanes], cons
   store_pack(to[2], a.z);
 }
 
-/// The same point in all lanes.
+/// Puts a point into all lanes.
 KOKKOS_FORCEINLINE_FUNCTION PackedPoint spread_to_pack(const Vector3<double>& a) {
   return {Packed(a.x), Packed(a.y), Packed(a.z)};
 }

@@ -32,7 +32,7 @@ KOKKOS_INLINE_FUNCTION Point3 find_radial(const ContactWall& wall, const Point3&
   return wall.shape == WallShape::cylinder ? a - dot(wall.along, a) * wall.along : a;
 }
 
-/// Of a plane the height, else how far outside.
+/// Height of a point above a wall: above the plane, or outside the cylinder or the sphere.
 KOKKOS_INLINE_FUNCTION double find_wall_height(const ContactWall& wall, const Point3& x) {
   if (wall.shape == WallShape::plane) return dot(wall.normal, x - wall.point);
   return norm(find_radial(wall, x - wall.point)) - wall.radius;

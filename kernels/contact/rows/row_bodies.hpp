@@ -16,7 +16,7 @@ struct BodyInputs {
   Array<const BodyResponse> responses;  // [count]
 };
 
-/// The same by place, and what the iteration needs.
+/// The bodies by the places of the rows, and what the iteration needs.
 struct RowBodies {
   BodyInputs inputs;
   Array<int> of_place = Array<int>("contact::body_of_place", 0);            // [places] -1: none

@@ -47,7 +47,7 @@ KOKKOS_INLINE_FUNCTION void set_geometry(RowPack& pack, int lane, const ContactR
   if (ties_rotation(row)) pack.turning = 1;
 }
 
-/// Of a pack with rows that tie rotations.
+/// Sets what a pack with rows that tie rotations has besides.
 KOKKOS_FUNCTION void set_turning(RowPack& pack, const Array<const ContactRow>& rows,
                                  const Array<const TurningRow>& turning) {
   for (int lane = 0; lane < RowPack::lanes; ++lane) {

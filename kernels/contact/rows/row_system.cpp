@@ -15,7 +15,7 @@ struct EntryNodes {
   int num_touches, num_rows;
   Array<const int> near_walls, wall_node, remote_node;
 
-  /// Of row r. -1 - k: foreign node k.
+  /// Whether row r has a node in a slot, and which one. -1 - k: foreign node k.
   KOKKOS_INLINE_FUNCTION bool has_slot(int r, int slot) const {
     return slot < (r < num_touches ? touches(r).count : 1);
   }
@@ -279,7 +279,7 @@ struct RowMaker {
     return touch;
   }
 
-  /// Of a tie, two edges or a wall.
+  /// Makes the row of a tie, two edges or a wall.
   KOKKOS_FUNCTION void make_row(int r) const {
     ContactRow& row = rows(r);
     row = ContactRow{};
@@ -304,7 +304,7 @@ struct RowMaker {
       fill_tie_row(inputs.ties(t), inputs, at, touch, load_row(history.ties, t), row);
   }
 
-  /// Of a pack of rows.
+  /// Makes the rows of a pack.
   KOKKOS_INLINE_FUNCTION void operator()(int pack) const {
     const int first = pack * TouchPack::lanes;
     const int end = first + TouchPack::lanes < num_rows ? first + TouchPack::lanes : num_rows;

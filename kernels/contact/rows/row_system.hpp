@@ -186,7 +186,7 @@ struct RowInputs {
 /// Whether springs push any rows.
 KOKKOS_INLINE_FUNCTION bool has_springs(const RowInputs& inputs) { return inputs.springs != SpringRows::none; }
 
-/// Of what rows are made, besides ties: touches by (node, face), then those of edges and ties, and pairs of walls.
+/// What rows are made of, besides ties: touches by (node, face), then those of edges and ties, and pairs of walls.
 struct RowSources {
   Array<const RowTouch> touches;
   int num_touches = 0;

@@ -15,7 +15,7 @@ struct WallPairs {
   Array<const double> offset{};  // [pairs] distance that the node keeps, by its thickness; empty: none does [length]
   Array<const int> is_inner{};   // [pairs] whether the node is inside its body; empty: none is
   Array<const double> spring{};  // [pairs] stiffness of the node, of springs.hpp; 0 without penalty
-  // Those that may come near in this step, ascending (wall_sleep.hpp); num_awake < 0: all.
+  // Pairs that may come near in this step, ascending (wall_sleep.hpp); num_awake < 0: all.
   Array<int> awake{};
   int num_awake = -1;
   // For reports.

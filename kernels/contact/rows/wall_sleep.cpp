@@ -16,7 +16,7 @@ constexpr double steps_ahead = 64;
 constexpr double way_round_off = 1e-9, place_round_off = 1e-11, size_round_off = 1e-6;  // the last of an edge
 constexpr int most_steps = 4096;
 
-/// Of a coordinate.
+/// Sum of the sizes of the coordinates of a point.
 KOKKOS_INLINE_FUNCTION double find_extent(const Point3& a) { return std::abs(a.x) + std::abs(a.y) + std::abs(a.z); }
 
 /// How far node and wall of a pair may go together before the gap can be that of a row. All gaps change by the ways at

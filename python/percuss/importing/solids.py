@@ -10,7 +10,7 @@ FACES = {
     4: ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)),
 }
 MIDDLES = {frozenset(edge): 4 + i for i, edge in enumerate(((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3)))}
-# Of ten nodes: the triangles at the corners of each face and between them.
+# Ten-node tetrahedra: the triangles at the corners of each face and between them.
 FACES[10] = tuple(
     triangle
     for face in FACES[4]

@@ -60,7 +60,8 @@ const PartCrossing* find_crossing(const StartOverlap& found, const PartOverlap& 
   return place == found.crossings.end() ? nullptr : &*place;
 }
 
-/// Those of which crossing_parts warns: of solids only where nodes that contact finds inside do not tell the depth.
+/// The crossings of which crossing_parts warns: of solids only where nodes that contact finds inside do not tell the
+/// depth.
 std::vector<PartCrossing> list_crossings(const StartOverlap& found) {
   constexpr double most = 0.9;  // of the depth
   std::vector<PartCrossing> list;

@@ -41,8 +41,8 @@ double find_largest_element(const CheckedScene& scene, const MaterialDeck& mater
 }  // namespace
 
 std::vector<Warning> check_yield_stress(const CheckedScene& scene) {
-  // Of Young's modulus: the strongest fibres and glasses, and half of the softest of pure metals, which have 1e-4. What
-  // has an equation of state may flow at any stress.
+  // Yield stress as a share of Young's modulus: the strongest fibres and glasses, and half of the softest of pure
+  // metals, which have 1e-4. A material with an equation of state may flow at any stress.
   constexpr double most = 0.1, least = 5e-5, least_of_fluid = 1e-6;
   std::vector<Warning> warnings;
   for (const MaterialDeck& material : scene.deck.materials) {

@@ -186,7 +186,7 @@ Approach ApproachWatch::find_approach(const Group& a, const Group& b, Moment mom
   return {entry + travel_step, travel_step, speed, std::min(a.part, b.part), std::max(a.part, b.part)};
 }
 
-/// Of all pairs of bodies whose boxes can meet within the horizon [time].
+/// Shortest approach of all pairs of bodies whose boxes can meet within the horizon [time].
 Approach ApproachWatch::find_shortest(double horizon, Moment moment) const {
   const auto reach_low = [&](const Group& g) { return g.low[0] + horizon * std::min(0.0, g.slowest[0]); };
   const auto reach_high = [&](const Group& g) { return g.high[0] + horizon * std::max(0.0, g.fastest[0]); };

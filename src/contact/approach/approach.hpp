@@ -14,8 +14,8 @@
 
 namespace percuss {
 
-/// Of two bodies that may meet, one may move beside the other in a step by this share of the shortest edge of their
-/// contact faces, once the gap between them is closed. docs/stability.md has the errors of other shares.
+/// Largest relative displacement of two bodies in a step, once the gap between them is closed, as a share of the
+/// shortest edge of their contact faces. docs/stability.md has the errors of other shares.
 constexpr double approach_share = 0.5;
 
 /// No step is longer than so many times the one before.

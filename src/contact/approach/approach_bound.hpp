@@ -23,7 +23,7 @@ class ApproachBound {
 
   /// Looks at the step after that of `motion`. way: the longest of a node in it.
   void look(const SurfaceMotion& motion, double way, const MovingWalls& moving);
-  /// The same where bodies cannot touch each other. fastest: no node of this rank is faster in the motion; negative:
+  /// As look(), where bodies cannot touch each other. fastest: no node of this rank is faster in the motion; negative:
   /// not known.
   void look_at_walls_alone(const SurfaceMotion& motion, double fastest, const MovingWalls& moving);
   /// Nothing can bound the step after this one.

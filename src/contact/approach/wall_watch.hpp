@@ -39,7 +39,7 @@ class WallWatch {
   Approach look(const MovedWalls& walls, const SurfaceMotion& motion) const;
 
  private:
-  /// Of the nodes of a part before a wall, of all ranks.
+  /// The nodes of a part before a wall, of all ranks.
   struct Front;
   enum class Moment { start, later };
 

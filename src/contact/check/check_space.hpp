@@ -51,7 +51,7 @@ class NearPairs {
   /// Lists them; inputs: of read_pairs().
   void make(const CheckInputs& inputs, const CandidateList& all);
 
-  /// Those that can come near before the next search, where these are listed.
+  /// Pairs that can come near before the next search, where these are listed.
   const CandidateList& reachable_pairs(const CandidateList& all) const { return reachable_.choose(all); }
 
   /// The pairs to check, once what is asked for is listed, and those of which that needs faces and history.
@@ -121,8 +121,8 @@ KOKKOS_INLINE_FUNCTION int find_face(const Array<const std::int64_t>& numbers, s
   return first < static_cast<int>(numbers.extent(0)) && numbers(first) == number ? first : -1;
 }
 
-/// The same of the face that a node remembers; known: the index of the face that it remembered in the last check, most
-/// likely the same one.
+/// Index of the face that a node remembers; -1 if it is not here. known: the index of the face that it remembered in
+/// the last check, most likely the same one.
 KOKKOS_INLINE_FUNCTION int find_remembered_face(const Array<const std::int64_t>& numbers, std::int64_t number,
                                                 int known) {
   if (number < 0) return -1;

@@ -50,7 +50,7 @@ class NearEdges {
   /// The pairs are others now, and all of them are checked.
   void forget() { near_.forget(); }
 
-  /// Those near enough for this travel of any node are to be listed at the next check; 0: all are checked.
+  /// Requests a list, at the next check, of the pairs near enough for this travel of any node; 0: all are checked.
   void ask(double travel) {
     travel_ = travel;
     near_.ask(travel > 0, false);

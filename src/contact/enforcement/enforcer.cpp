@@ -23,7 +23,7 @@ SharedNodes find_copies(const ContactRanks& ranks) {
   return shared;
 }
 
-/// Of the stiffness of springs between sheets. They rebound the better the softer they are, and sink in the deeper.
+/// Factor on the stiffness of springs between sheets. Softer springs rebound better, and let sheets sink in deeper.
 constexpr double scale_of_sheets = 0.1;
 
 /// Contact stiffness by mesh node, also of those that only walls stop.

@@ -55,7 +55,8 @@ class Enforcer {
   /// What the pushes along the normals gave to the nodes in the last step [force x time]: [mesh nodes], of copies of
   /// others' nodes zero. Collective.
   Rows3<double> find_pushes();
-  /// The same in a checkpoint, if the deck that wrote it had them: after a restart they are these until the next step.
+  /// Reads or writes these pushes in a checkpoint, if the deck that wrote it had them: after a restart they are these
+  /// until the next step.
   void archive_pushes(CheckpointArchive& archive, const ChunkedMesh& chunked, const OwnedContactNodes& nodes);
 
   /// Walls that move stand still until begin_anew().

@@ -122,7 +122,7 @@ SideBits ForceSurfaces::answer(const Query& query) const {
                                                                     : SideBits{};
 }
 
-/// Of the face around a contact node that looks most against the push.
+/// Sides of the face around a contact node whose normal opposes the push most.
 SideBits ForceSurfaces::answer_node(const Query& query, int node) const {
   const Rows3<const double>& areas = areas_.nodes().around.areas;
   SideBits bits;

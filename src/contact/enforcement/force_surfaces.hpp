@@ -26,7 +26,7 @@ class ForceSurfaces {
   ForceSurfaces(const ContactRanks& ranks, const ChunkedMesh& chunked, const Deck& deck, const SurfaceShare& share,
                 const std::vector<ForceDeck>& forces);
 
-  /// Of the rows of this rank, which are solved. x: [mesh nodes] positions at n, node_numbers: [mesh nodes].
+  /// Sides of this rank's rows, which are solved. x: [mesh nodes] positions at n, node_numbers: [mesh nodes].
   Array<const RowSurfaces> find(const RowSystem& system, const Array<const std::int64_t>& node_numbers,
                                 const Rows3<const double>& x);
 

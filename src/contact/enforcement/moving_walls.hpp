@@ -21,7 +21,7 @@ struct WallMotion {
   double speed = 0;         // at n-1/2
 };
 
-/// Of walls on the bodies in a step.
+/// Work of walls on the bodies in a step.
 struct WallWork {
   double push = 0, friction = 0;  // by normal forces and by friction
   double driven = 0;              // of both, by walls with a prescribed speed, whose energy comes from outside
@@ -55,10 +55,10 @@ class MovingWalls {
   double find_fastest(double time, double dt) const;
   double find_fastest_before() const;
 
-  /// Of the walls that move, in the order of the deck.
+  /// Motions of the walls that move, in the order of the deck.
   const std::vector<WallMotion>& motions() const { return motions_; }
 
-  /// Of walls with a mass, at n-1/2 [energy].
+  /// Kinetic energy of walls with a mass, at n-1/2 [energy].
   double find_kinetic_energy() const;
 
   void archive(CheckpointArchive& archive);

@@ -60,7 +60,7 @@ void NodeAreas::update(const Rows3<const double>& x) {
   receive_areas();
 }
 
-/// Those of faces of other ranks.
+/// Receives the areas of other ranks' faces.
 void NodeAreas::receive_areas() {
   if (!has_many_ranks_) return;
   const auto areas = to_host(areas_);

@@ -14,7 +14,7 @@ namespace percuss {
 
 class NodeAreas {
  public:
-  /// Of a surface until it is redefined. share outlives this. Collective, as is update(). Throws MpiError.
+  /// Areas of a surface until it is redefined. share outlives this. Collective, as is update(). Throws MpiError.
   NodeAreas(const ContactRanks& ranks, const SurfaceShare& share);
 
   /// At positions x: [mesh nodes].

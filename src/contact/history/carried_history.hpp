@@ -27,7 +27,8 @@ HistoryOwners list_history_owners(const ChunkedMesh& chunked, const SurfaceShare
 ContactHistory carry_history(const Communicator& ranks, const ContactHistory& old, const HistoryOwners& before,
                              const HistoryOwners& now, ContactHistory history);
 
-/// The same of edges alone, where all else is as it was. before, now: whose home this rank is. Collective.
+/// As carry_history(), for edges alone, where all else is unchanged. before, now: edges whose home is this rank.
+/// Collective.
 EdgeHistory carry_edges(const Communicator& ranks, const EdgeHistory& old, const std::vector<EdgeTopology>& before,
                         const std::vector<EdgeTopology>& now);
 

@@ -51,7 +51,7 @@ class SidedSets {
     flip_[last] = flip;
     if (is_undivided_[last] != 0) is_undivided_[first] = 1;
   }
-  /// Of a set: a way over its lines leads from a node to itself through the surface.
+  /// Whether a path over the lines of a set leads from a node to itself through the surface.
   bool is_undivided(std::size_t set) const { return is_undivided_[set] != 0; }
 
  private:

@@ -28,7 +28,7 @@ struct CrossedSides {
   std::vector<Point3> nodes[2];    // of either side, by their numbers
   int inner = -1;                  // of solids: which side is inside
 
-  /// Of solids the deepest node inside, of sheets that of the side that is less deep. Collective.
+  /// Deepest node: of solids the one deepest inside, of sheets the one on the side that is less deep. Collective.
   DeepNode find_depth(const Communicator& ranks, FaceIndex& index, const PiercingEdge& edge) const;
 };
 

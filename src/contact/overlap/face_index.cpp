@@ -99,7 +99,8 @@ void FaceIndex::mark_rims() {
   std::sort(rims_.begin(), rims_.end());
 }
 
-/// Of each two nodes the first side of each part between them, by lists of such second nodes.
+/// Chooses, for each pair of nodes, the first side of each part between them. Lists hold the second nodes of a first
+/// one.
 void FaceIndex::choose_sides() {
   struct Other {
     int node, part, next;

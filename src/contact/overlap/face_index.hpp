@@ -20,7 +20,7 @@ struct FaceSide {
   int in;             // the body that it is looked for in
 };
 
-/// The same with its place, as it goes to ranks with faces of that body.
+/// A side with its coordinates, as it is sent to ranks with faces of the body.
 struct TravellingEdge : FaceSide {
   Point3 x[2];
 };
@@ -36,7 +36,7 @@ struct BodyFaces {
 /// itself.
 bool are_joined(const FaceSide& edge, const FaceTopology& face);
 
-/// Of the two sides of a shell it has one.
+/// Faces and their sides on this rank, by body. Of the two faces of a shell it holds one.
 class FaceIndex {
  public:
   /// Both outlive it.

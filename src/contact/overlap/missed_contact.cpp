@@ -18,7 +18,7 @@ namespace percuss {
 namespace {
 
 constexpr double least_ratio = 0.1;  // of an element
-/// The same of a body in itself: tight folds reach through their neighbours.
+/// Least ratio for a body inside itself: tight folds reach through their neighbours.
 constexpr double least_own_ratio = 0.5;
 
 bool is_deeper(const MissedContact& a, const MissedContact& b) {
@@ -103,7 +103,7 @@ void find_edges(const OverlapSearch& search, const SurfaceMotion& motion, const 
   }
 }
 
-/// Of an edge, what this rank knows.
+/// What this rank knows of an edge.
 constexpr int is_held = 1, began_inside = 2;
 
 /// By edges of all ranks: is_held where this rank has a record of the edge or of an end, began_inside.

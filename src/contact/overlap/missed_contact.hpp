@@ -53,14 +53,14 @@ struct MissedEdge {
   std::int64_t tests = 0;
 };
 
-/// The same of sharp edges of solids and shells in bodies of solids, between whose nodes they came in: by more than a
-/// tenth of an element. Where contact holds the edge or an end, and may hold what is deep, by more than it can.
-/// Searches nothing. Collective.
+/// Looks for sharp edges of solids and shells inside bodies of solids by more than a tenth of an element, which entered
+/// between nodes. Where contact holds the edge or an end, and may hold deep overlap, by more than it can hold. Searches
+/// nothing. Collective.
 MissedEdge find_missed_edge(const OverlapSearch& search, const Rows3<const double>& x, const ContactHistory& history,
                             const KnownContact& known);
 
-/// The same of edges that go through sheets by more than a tenth of an element, or through their own body by more than
-/// half of one, or as above where contact holds an end. found: of all ranks. Collective.
+/// Looks for edges that go through sheets by more than a tenth of an element, or through their own body by more than
+/// half of one; where contact holds an end, as find_missed_edge(). found: of all ranks. Collective.
 std::optional<MissedContact> find_missed_piercing(const OverlapSearch& search, const ContactHistory& history,
                                                   const KnownContact& known, const std::vector<PiercingEdge>& found);
 

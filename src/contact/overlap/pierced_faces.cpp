@@ -55,8 +55,9 @@ struct Passage {
   bool enters = false;
 };
 
-/// The same for a line whose ends are on different sides of the triangle: an end behind it by no more than `band` is
-/// before it. What touches it from behind, or lies in it, does not go through.
+/// Where a line from the origin along `way` goes through a triangle. Its ends are on different sides: an end behind the
+/// triangle by no more than `band` counts as before it. A line that touches from behind, or lies in the triangle, does
+/// not go through.
 Passage find_passage(const Point3& way, const Point3 (&triangle)[3], double band) {
   constexpr double rim = 1e-10;  // of the triangle: on a line between two it goes through both
   const Point3 e1 = triangle[1] - triangle[0], e2 = triangle[2] - triangle[0], across = cross(e1, e2);
@@ -120,7 +121,7 @@ class PiercingLook {
   PiercingLook(const SurfaceShare& share, FaceIndex& index, PiercedPairs pairs)
       : share_(share), index_(index), pairs_(pairs), friction_(to_host(share.pair_friction)) {}
 
-  /// Those of a body of this rank, in a body of this rank.
+  /// Looks at the edges of a body of this rank, in the faces of a body of this rank.
   void look_at(const BoxTree& faces, int in) {
     index_.find_tree(in)->visit_pairs(faces, [&](const HostBox& other, const HostBox& own) {
       const std::size_t f = at(own.item), of = at(other.item);
@@ -131,7 +132,7 @@ class PiercingLook {
     });
   }
 
-  /// Those that this rank was sent.
+  /// Looks at the edges that this rank was sent.
   void look_at(const std::vector<TravellingEdge>& edges) {
     for (const TravellingEdge& edge : edges)
       index_.find_tree(edge.in)->visit_meeting(bound(edge), [&](int f) {

@@ -16,7 +16,8 @@ namespace percuss {
 struct PiercingEdge {
   SunkenEdge edge;         // depth: what would have to go back, of the less deep side; size: shortest edge of the face
   int body = -1, in = -1;  // of the edge, of the faces
-  // Of the first face that it goes through, and of PiercedPairs::all_surfaces alone:
+  // What follows is about the first face that the edge goes through, and is filled with PiercedPairs::all_surfaces
+  // alone:
   std::int64_t corners[4]{};     // node numbers
   int classes[2]{};              // of the edge and of the face, as FaceTopology::surface_class
   bool is_of_solid = false;      // the face: it has an inside

@@ -36,7 +36,7 @@ struct PairDepth {
   DeepNode find_depth(const PartKinds& kinds) const;
 };
 
-/// Of two that are as deep but for round-off the first.
+/// The deeper of two; of two that are equal but for round-off the first.
 DeepNode find_deeper(const DeepNode& a, const DeepNode& b) { return b.depth > a.depth * (1 + 1e-9) ? b : a; }
 
 // Sheets part as soon as the one is out of the other, a body and a solid not before both are. What is not divided is as
@@ -124,7 +124,7 @@ class CrossingPairs {
     }
   }
 
-  /// Of all ranks. Collective.
+  /// Lines of a part, of all ranks. Collective.
   const std::vector<PartLine>& find_lines(int part) {
     if (part == part_of_lines_) return lines_;
     std::vector<PartLine> own;

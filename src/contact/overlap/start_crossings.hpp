@@ -41,8 +41,8 @@ struct CrossingScene {
   const TiedSurfaces& ties;
 };
 
-/// Those at the places x that are deeper than round-off, by (part, other), the same on all ranks. Left out: parts of
-/// one rigid body or of one joint, and what ties, constraints and solids around embedded nodes hold. Collective.
+/// Crossings at the places x that are deeper than round-off, by (part, other), the same on all ranks. Left out: parts
+/// of one rigid body or of one joint, and what ties, constraints and solids around embedded nodes hold. Collective.
 std::vector<PartCrossing> find_crossings(const CrossingScene& scene, const Rows3<const double>& x);
 
 /// What stands before them, and "'a' and 'b' by 5 at (1, 2, 3), ..." of the deep ones of one kind, deepest first, a few

@@ -225,7 +225,7 @@ void seed_all_edges(const OverlapSearch& search, const std::vector<EdgePenetrati
   add_records(tied, false, history);
 }
 
-/// Of the pairs of edges that a history does not have, those with an end of `nodes`.
+/// Takes into a history the pairs of edges that it does not have, and that have an end among `nodes`.
 void seed_born_edges(const OverlapSearch& search, const SurfaceMotion& motion, bool pushes,
                      const std::vector<std::int64_t>& nodes, StartOverlap& found, EdgeHistory& history) {
   std::vector<std::int64_t> own;

@@ -55,8 +55,8 @@ struct BornContact {
   std::vector<char> walls;          // [walls of the deck]
 };
 
-/// Of overlap at the positions of `motion`, whose dt is 0, takes into a history in use what is with these faces, the
-/// edges between these nodes, and these walls, as seed_history() does. Looks at the candidate pairs that the finder
+/// Takes overlap at the positions of `motion`, whose dt is 0, into a history in use, as seed_history() does: only that
+/// of these faces, of the edges between these nodes, and of these walls. Looks at the candidate pairs that the finder
 /// has. Collective.
 StartOverlap seed_born(const OverlapSearch& search, const SurfaceMotion& motion, const BornContact& born,
                        ContactHistory& history);
@@ -94,8 +94,8 @@ std::string describe_overlap_left(const StartOverlap& left);
 /// Bound of the sum of the squares of the depths that contact is to push out [length^2]; 0 where overlap is accepted.
 double find_pushed_square(const StartOverlap& found, ContactDeck::Overlap overlap);
 
-/// Of overlap at the positions of `motion`, whose dt is 0, takes into the history what a new node or a new face has, or
-/// one that was tied, as seed_history() does. What the surfaces before had is as it was. Looks at the candidate pairs
+/// Takes overlap at the positions of `motion`, whose dt is 0, into the history, as seed_history() does: only that of
+/// new nodes and faces, and of those that were tied. Records of the surfaces before stay. Looks at the candidate pairs
 /// that the finder has. Collective.
 void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, const SurfaceChange& change,
                  ContactHistory& history);
@@ -104,8 +104,8 @@ void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, const
 /// an end that was tied.
 std::vector<std::int64_t> list_fresh_edges(const EdgeChange& change);
 
-/// The same of pairs of edges of which one has folded, or has an end that was tied: what they overlap by has cost
-/// nothing, and is accepted. Records that are there stay.
+/// As seed_opened(), for pairs of edges of which one has folded, or has an end that was tied. No work was done against
+/// their overlap, and it is accepted. Records that are there stay.
 void seed_edges(const OverlapSearch& search, const SurfaceMotion& motion, const EdgeChange& change,
                 EdgeHistory& history);
 

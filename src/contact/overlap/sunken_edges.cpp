@@ -195,7 +195,7 @@ std::vector<ClosestFace> find_closest_faces(const SurfaceShare& share, const Hos
   return closest;
 }
 
-/// Of the points of this rank's edges, the deepest of each edge. closest: by ranks.
+/// The deepest point of each of this rank's edges. closest: by ranks.
 std::vector<SunkenEdge> find_deepest(const SurfaceShare& share, const SentPoints& sent,
                                      const std::vector<ClosestFace>& closest, double least) {
   std::map<std::pair<int, int>, ClosestFace> by_body;  // by place and body

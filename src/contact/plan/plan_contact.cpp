@@ -39,7 +39,7 @@ void ContactPlanner::locate_points() {
   }
 }
 
-/// Of the candidate faces of a contact node, the one whose centre is nearest; -1 if it has none.
+/// The candidate face of a contact node whose centre is nearest; -1 if it has none.
 int ContactPlanner::find_nearest_candidate(int node) const {
   const Vec3& x = whole_.mesh.nodes[at(share_.nodes.mesh_nodes[at(node)])];
   int nearest = -1;

@@ -52,7 +52,7 @@ void list_face_pairs(const SurfaceShare& share, const SurfaceMotion& motion, Loc
   }
 }
 
-/// The same of the pairs of edges.
+/// Lists the pairs of edges.
 void list_edge_pairs(const SurfaceShare& share, const SurfaceMotion& motion, LocalEdges& edges, StartPairs& found) {
   const EdgeSpace& space = edges.space();
   found.divided_edges = edges.divided_edges();

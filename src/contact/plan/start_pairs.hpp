@@ -11,7 +11,7 @@
 
 namespace percuss {
 
-/// Of each contact node its faces, as places in SurfaceShare::faces.
+/// Faces of each contact node, as places in SurfaceShare::faces.
 struct FacesOfNodes {
   std::vector<int> first, face;  // [contact nodes + 1], [pairs]
 

@@ -73,7 +73,7 @@ class ContactDecomposition {
   /// Faces of this rank's FE share, one for each rank that its box reached.
   std::int64_t reaching_faces() const { return reaching_faces_; }
 
-  /// Those of faces() whose boxes reached this rank.
+  /// How many of faces() have boxes that reached this rank.
   std::int64_t count_reaching_here() const;
 
   /// The cuts, and whether the last search renewed them.

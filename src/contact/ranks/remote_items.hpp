@@ -50,11 +50,11 @@ class RemoteItems {
 
   const ItemPart& all() const { return all_; }
 
-  /// Those requested. is_wanted: [numbers]. One message to each rank of the request. Collective. Throws MpiError.
+  /// The items requested. is_wanted: [numbers]. One message to each rank of the request. Collective. Throws MpiError.
   ItemPart select(DataExchange& data, const std::vector<char>& is_wanted) const {
     return select_among(all_, data, is_wanted);
   }
-  /// The same of a part that was requested before and holds all that is wanted: only its ranks send messages.
+  /// As select(), of a part that was requested before and holds all that is wanted: only its ranks send messages.
   static ItemPart select_among(const ItemPart& part, DataExchange& data, const std::vector<char>& is_wanted);
 
  private:

@@ -64,7 +64,7 @@ class ContactFinder {
   /// Continues where a finder of the surface before left off: cuts, orders, counts and clocks.
   virtual void take_over(const ContactFinder& before) = 0;
 
-  /// Of a search, what went into the decomposition: steps (5.1) to (5.5) of nodes and faces; those of edges count as
+  /// Time that searches spent on the decomposition: steps (5.1) to (5.5) of nodes and faces; those of edges count as
   /// search.
   virtual PhaseClock decomposition_clock() const = 0;
   virtual Traffic traffic() const = 0;

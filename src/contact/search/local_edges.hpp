@@ -40,7 +40,7 @@ class LocalEdges {
     return measure_edge_pairs(motion, space_);
   }
 
-  // Of the last search and check.
+  // Results of the last search and check.
   const EdgeSpace& space() const { return space_; }
   const std::vector<EdgeTopology>& divided_edges() const { return divided_edges_; }
   const Boxes& boxes() const { return boxes_; }                  // [edges]

@@ -35,7 +35,7 @@ class LocalFinder : public ContactFinder {
   PhaseClock decomposition_clock() const override { return {}; }
   Traffic traffic() const override { return {}; }
 
-  // Of the last search and check.
+  // Results of the last search and check.
   CheckSpace& faces() { return check_; }
   const Boxes& boxes() const { return boxes_; }  // [searched faces]
   LocalEdges& edges() { return edges_; }

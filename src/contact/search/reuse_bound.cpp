@@ -170,7 +170,7 @@ ExactSum ReuseBound::sum_edges_here(const SurfaceMotion& motion) const {
   return sum;
 }
 
-/// Of the sum over all faces; where beams alone touch that of beams.
+/// Mean length of an edge, from the sum over all faces; where beams alone touch, that of beams.
 double ReuseBound::find_mean(const ExactSum& edges) const {
   if (share_.total_searched_faces == 0) return share_.edge_piece;
   return edges.round() / static_cast<double>(share_.total_searched_faces);

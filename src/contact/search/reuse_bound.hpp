@@ -90,8 +90,8 @@ class ReuseBound {
   double dt_ = 0;
   Rows3<double> origin_, velocity_;  // at the last search
   double travel_ = 0;                // since then, as covers() found it last
-  // Of the nodes of SurfaceShare::watched_list: places at the last restart_near(), and at the one that asked for the
-  // pairs that can come near before the next search, with the ways allowed from there; 0: nothing holds.
+  // Places of the nodes of SurfaceShare::watched_list: at the last restart_near(), and when the pairs that can come
+  // near before the next search were requested. Also the travel allowed from there; 0: no list is valid.
   double near_travel_ = 0, first_travel_ = 0;
   Rows3<double> near_origin_, first_origin_;
 };

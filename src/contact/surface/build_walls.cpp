@@ -37,7 +37,7 @@ struct HeldNode {
   }
 };
 
-/// Of the nodes of living solids of this rank, [nodes]; part -1: none has it.
+/// Measures the nodes of living solids of this rank, [nodes]; part -1: a node of none.
 std::vector<HeldNode> measure_held_nodes(const Mesh& mesh, const Deck& deck) {
   std::vector<ElementFace> faces;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {

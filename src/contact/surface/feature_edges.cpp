@@ -92,7 +92,7 @@ void refuse_crowded_node(std::size_t num_edges) {
       "it, or set contact.edges: false");
 }
 
-/// Of this rank's faces, the diagonals that are among the folds.
+/// Lists the diagonals of this rank's faces that are among the folds.
 void list_ridges(const Mesh& mesh, const SurfaceShare& share, const std::vector<EdgeEnds>& folds, int rank,
                  std::vector<FoundEdge>& ridges) {
   if (folds.empty()) return;
@@ -143,7 +143,7 @@ void add_beams(std::vector<FoundEdge> beams, std::vector<FoundEdge>& edges) {
   }
 }
 
-/// Those whose lower node is this rank's. Collective.
+/// Beams whose lower node is this rank's. Collective.
 std::vector<FoundEdge> send_to_lower_nodes(const std::vector<FoundEdge>& beams, const Numbering& numbering,
                                            const Communicator& ranks) {
   std::vector<int> to;

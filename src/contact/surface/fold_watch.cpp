@@ -139,7 +139,7 @@ void FoldWatch::list_edges(const SurfaceShare& share) {
   sides_ = to_view("contact::watched_sides", sides);
 }
 
-/// Of faces that edges of other parts may cross.
+/// Lists the diagonals of faces that edges of other parts may cross.
 void FoldWatch::list_diagonals(const SurfaceShare& share, const std::vector<char>& touches) {
   if (chunked_.mesh.parts.size() < 2) return;
   for (std::size_t f = 0; f < share.faces.size(); ++f) {
@@ -200,7 +200,7 @@ std::int64_t FoldWatch::look_at_shared(const Rows3<const double>& x, FoldChange 
   return num_due;
 }
 
-/// Those that were folds are so no longer, the others are now.
+/// Updates the folds: a changed edge that was a fold is one no longer, any other is one now.
 void FoldWatch::note(std::vector<EdgeEnds> changed) {
   std::sort(changed.begin(), changed.end());
   changed.erase(std::unique(changed.begin(), changed.end()), changed.end());

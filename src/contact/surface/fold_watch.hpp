@@ -25,8 +25,8 @@ struct FoldAngles {
   double fast;   // more by this than what makes it a fold, it folds fast
 };
 constexpr FoldAngles fold_angles{10, 5, 5, 10};
-/// The same of diagonals of a face, which get rows only where its fan is crossed. At 10 degrees the fan is 0.03 of an
-/// element behind its ridge.
+/// Fold angles of the diagonals of a face, which get rows only where its fan is crossed. At 10 degrees the fan is 0.03
+/// of an element behind its ridge.
 constexpr FoldAngles ridge_angles{5, 5, 3, 5};
 
 /// When an edge changes.
@@ -66,7 +66,7 @@ class FoldWatch {
   /// Looks at all edges at positions x after a step. Returns whether folds() are others now. Collective.
   bool look(const SurfaceShare& share, const Rows3<const double>& x, long step);
 
-  /// Of all ranks, ascending.
+  /// Folds of all ranks, ascending.
   const std::vector<EdgeEnds>& folds() const { return folds_; }
 
   /// Returns whether folds were loaded. Collective.

@@ -16,7 +16,8 @@
 namespace percuss {
 namespace {
 
-/// Of a record: the tie, the face, its corners, the side, and weights, offset, corners and size of the geometry, area.
+/// Numbers in a record: the tie, the face, its corners, the side, and weights, offset, corners and size of the
+/// geometry, area.
 constexpr std::size_t record_size = 1 + 1 + 4 + 1 + 4 + 3 + 12 + 1 + 1;
 constexpr double never_tied = -1, tied_at_start = -2;  // in place of the tie
 

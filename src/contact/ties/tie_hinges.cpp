@@ -16,9 +16,9 @@
 namespace percuss {
 namespace {
 
-/// Of the mean distance of nodes in a row: farther from its line they clamp. A second row is an element away.
+/// Nodes farther from the line of a row than this share of their mean distance clamp. A second row is an element away.
 constexpr double straight = 0.1;
-/// Of a unit vector: an axis with less of it does not hold a rotation about it.
+/// An axis with a smaller component than this of a unit vector does not hold a rotation about that vector.
 constexpr double across = 1e-6;
 
 /// A tied node of a shell.
@@ -106,7 +106,7 @@ class RotationHolder {
   TiedShells& shells_;
 };
 
-/// Those of all ranks, each node once.
+/// The tied shells of all ranks, each node once.
 TiedShells gather(const Communicator& ranks, const TiedShells& own) {
   TiedShells all{gather_items(ranks, own.nodes), gather_items(ranks, own.edges)};
   std::stable_sort(all.nodes.begin(), all.nodes.end());
@@ -164,7 +164,7 @@ bool turns_about(const RowLine& line, const TurningNode& node) {
   return true;
 }
 
-/// Of the nodes of a row between its ends.
+/// Line of a row of nodes between its ends.
 RowLine make_line(const TurningNode& first, const TurningNode& last, std::size_t count) {
   const Vec3 way = subtract(last.x, first.x);
   const double length = std::sqrt(dot(way, way));

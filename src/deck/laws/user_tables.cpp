@@ -37,7 +37,7 @@ AllTables& all_tables() {
   return all;
 }
 
-/// That which this thread has chosen; null: none.
+/// The collection that this thread has chosen; null: none.
 const Collection*& chosen() {
   thread_local const Collection* one = nullptr;
   return one;

@@ -46,7 +46,8 @@ Node parse_tree(std::string text, const std::string& file, const std::vector<std
 /// What parts of fluids have where the deck says nothing of it: viscous hourglass control with a coefficient of their
 /// own, for any other holds them in their shape. Before check_deck(), which judges what stands beside it.
 void settle_fluid_elements(const Node& root, Deck& deck) {
-  // Of real water with 40 elements a wave, 0.05 takes 3 % of its height in each period, this a twentieth of that.
+  // With 40 elements a wave, waves of real water lose 3 % of their height in each period with 0.05, a twentieth of that
+  // with this.
   constexpr double fluid_coefficient = 0.002;
   const Node* const elements = root.find("elements");
   if (elements != nullptr && (elements->find("hourglass") != nullptr || elements->find("integration") != nullptr))

@@ -208,7 +208,7 @@ void CheckpointReader::expect_rows(const std::string& name, std::span<const std:
   fail_together(ranks_, [&] { read_or_refuse(path_, [&] { check_length(name, all, components); }); });
 }
 
-/// That an array of the state has so many rows.
+/// Refuses an array of the state that does not have so many rows.
 void CheckpointReader::check_length(const std::string& name, std::int64_t rows, int components) const {
   const hdf5::Handle group = hdf5::open_group(file_.get(), names::state);
   const hdf5::Shape shape = hdf5::read_shape(group.get(), name);

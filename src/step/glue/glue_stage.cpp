@@ -87,7 +87,7 @@ void GlueStage::pull(const State& state, const std::vector<double>& damage_befor
   }
 }
 
-/// That the forces and moments of n-1 and n have taken from the nodes in the last step, with a share of each.
+/// Energy that the forces and moments of n-1 and n have taken from the nodes in the last step, with a share of each.
 double GlueStage::find_work(double share_before, double share_now) const {
   double work = 0;
   for (std::size_t n = 0; n < forces_.size(); ++n)

@@ -124,7 +124,7 @@ std::vector<double> FictitiousMasses::find_body_shares(const NodeMasses& nodes) 
   return shares;
 }
 
-/// Of the square of the stable step of an element that would be `growth` without rigid bodies.
+/// Growth of the square of the stable step of an element; without rigid bodies it would be `growth`.
 double FictitiousMasses::limit_by_bodies(std::size_t element, double growth, const std::vector<double>& shares) const {
   if (bodies_of_nodes_.empty()) return growth;
   double limited = growth;

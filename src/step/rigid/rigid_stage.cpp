@@ -296,7 +296,7 @@ Wrench RigidStage::find_given(std::size_t index) const {
   return given;
 }
 
-/// The same on all ranks.
+/// The result is the same on all ranks.
 Wrench RigidStage::find_reaction(const State& state, std::size_t index, double dt_mean) const {
   const RigidBody& body = model_.rigid.bodies[index];
   const RigidState &now = state.bodies[index], &next = next_[index];

@@ -83,7 +83,7 @@ HexState<T, Material, Kind> make_state(const T& mass) {
   return s;
 }
 
-/// The same of an element with corners at `a`, which need not be a brick.
+/// A state of an element with corners at `a`, which need not be a brick.
 template <class Material, HexKind Kind>
 HexState<double, Material, Kind> make_state(double mass, const VectorModes<double>& a) {
   auto s = make_state<Material, Kind>(mass);

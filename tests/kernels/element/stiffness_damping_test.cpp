@@ -36,7 +36,7 @@ Corners make_random_velocities(Random& random) {
 
 }  // namespace
 
-// Of a uniform rate D the power is V (lambda (tr D)^2 + 2 mu D:D), times beta, with one point and with eight.
+// At a uniform rate D the power is V (lambda (tr D)^2 + 2 mu D:D), times beta, with one point and with eight.
 TEST(StiffnessDampingForces, OfAUniformRateHaveThePowerOfIt) {
   Random random(3);
   for (const bool is_full : {false, true}) {

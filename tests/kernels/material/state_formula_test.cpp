@@ -38,8 +38,8 @@ double find_mie_grueneisen(double rho, double energy) {
   return hugoniot + gamma_rho * (energy - hugoniot * eta / (2 * start_density));
 }
 
-// The same with Us = c + (s + s2 eta + s3 eta^2) up and (Gamma + a m) e, m = rho / rho0 - 1, as published over m:
-// p = rho0 c^2 m (1 + (1 - Gamma / 2) m - a m^2 / 2) / (1 - (s - 1) m - s2 m^2 / (m + 1) - s3 m^3 / (m + 1)^2)^2 + ...
+// Pressure with Us = c + (s + s2 eta + s3 eta^2) up and (Gamma + a m) e, m = rho / rho0 - 1, as published over m: p =
+// rho0 c^2 m (1 + (1 - Gamma / 2) m - a m^2 / 2) / (1 - (s - 1) m - s2 m^2 / (m + 1) - s3 m^3 / (m + 1)^2)^2 + ...
 double find_steinberg(double rho, double energy) {
   const double c = 3000, s = 1.5, s2 = 0.4, s3 = -0.3, gamma = 2, a = 0.5, m = rho / start_density - 1;
   const double k = start_density * c * c, heat = (gamma + a * m) * start_density * energy;

@@ -255,7 +255,8 @@ TYPED_TEST(OnePoint, HasTheSameForcesHoweverItIsNumbered) {
   }
 }
 
-// Of a cube cut through both thicknesses are about its edge; the pyramid's are equal along and across its axis.
+// For shapes cut from a cube both thicknesses are about its edge. Those of the pyramid are equal along and across its
+// axis.
 TEST(OnePointStep, HasAThicknessThatIsTheWayOfAWave) {
   const auto find = [](const auto& x) {
     const auto g = find_corner_gradient(x);

@@ -33,8 +33,8 @@ inline ShellMatrix find_scaled_stiffness(const TestShell<ElasticLayer>& shell, c
   return k;
 }
 
-/// The same of a triangle, whose nodes have a third of the mass each; the rows and columns of the corner that stands
-/// twice are left empty.
+/// Scaled stiffness of a triangle, whose nodes have a third of the mass each. The rows and columns of the repeated
+/// corner are left empty.
 inline ShellMatrix find_scaled_triangle_stiffness(const TestShell<ElasticLayer>& shell, const ShellCorners& x) {
   const double node_mass = shell.state.mass / 3, inertia = node_mass * shell.state.gyration_square;
   const double dt = 1e-10;

@@ -143,7 +143,8 @@ TEST(PercussCheck, ShowsWarnings) {
   EXPECT_THAT(result.out, testing::EndsWith("The deck and its meshes can be run; 1 warning.\n"));
 }
 
-// Of the deck, of the mesh with the deck, and of what the stepper does at the start: the rods part at their joint.
+// Warnings about the deck, the mesh with the deck, and what the stepper does at the start: the rods part at their
+// joint.
 TEST(PercussCheck, WarnsOfAllThatARunWarnsOfAtItsStart) {
   const TemporaryFolder folder;
   const std::string file = folder.write("deck.yaml", R"yaml(

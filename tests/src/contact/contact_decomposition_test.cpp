@@ -121,7 +121,7 @@ struct Surface {
     return pairs;
   }
 
-  /// Those of all nodes and all faces.
+  /// Pairs of all nodes and all faces.
   std::vector<Pair> find_all_pairs() const {
     std::vector<NodeItem> nodes;
     for (int n = 0; n < share.nodes.count(); ++n) {
@@ -214,7 +214,7 @@ TEST_F(Decomposition, PartsGoToTheRanksThatHaveMostOfTheirPoints) {
   std::int64_t own = 0;
   for (const int owner : decomposition.node_owners()) own += owner == world.rank() ? 1 : 0;
   const std::int64_t all = add_up(share.nodes.count());
-  // Of how many nodes the part would be with their rank if parts went to ranks in another order: turned by one.
+  // How many nodes would have their part on their rank if parts went to ranks in another order: shifted by one.
   std::int64_t turned = 0;
   for (const int owner : decomposition.node_owners()) turned += (owner + 1) % world.size() == world.rank() ? 1 : 0;
   own = add_up(own);

@@ -110,7 +110,7 @@ bool compare_frames(const std::string& a, const std::string& b) {
   return same;
 }
 
-/// Of every output of fields.
+/// Whether the files of every output of fields are the same.
 bool compare_fields(const std::string& a, const std::string& b) {
   const std::vector<std::string> files = list_fields_files(a);
   if (!is_same("names of files", !files.empty() && files == list_fields_files(b))) return false;

@@ -93,8 +93,7 @@ conditions: [{nodes: roof/start, fixed: [x, y, z, rx, ry, rz]}, {nodes: roof/end
 output: {fields: {every: 1e-4, write: [stress_top, thickness]}, history: {every: 0}}
 )yaml";
 
-/// That the deck, which ends as its text says and is stopped after `steps`, goes on to the bits of the run that was
-/// not.
+/// Expects that a deck stopped after `steps` and restarted ends with the same bits as the run that was not stopped.
 void expect_same_end(const std::string& deck, const std::string& end, int steps) {
   const TemporaryFolder whole, parts;
   const Summary expected = run(deck, whole.path()).summary;

@@ -9,7 +9,7 @@
 
 namespace percuss::test {
 
-/// The same scene held by all ranks together and by this one alone.
+/// One scene held twice: by all ranks together, and by this one alone.
 struct TwoScenes {
   explicit TwoScenes(const std::string& from) : together(from), alone(from, Communicator(MPI_COMM_SELF)) {}
   Scene together, alone;

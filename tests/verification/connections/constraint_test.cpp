@@ -51,7 +51,7 @@ TEST(Constraint, MovesMassesThatArePulledUnequallyAsOne) {
   EXPECT_LT(run.summary.momentum.angular_error, 1e-12);
 }
 
-// Of nodes that a condition drives the others follow; the support takes the force of all.
+// The nodes follow those that a condition drives; the support takes the force of all.
 TEST(Constraint, FollowsWhatIsHeld) {
   const Outcome run =
       run_deck(make_cubes("constraints: {both: {equal: [x], between: [b, a]}}\n"

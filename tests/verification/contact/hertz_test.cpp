@@ -163,8 +163,8 @@ TEST(Hertz, ForceAreaAndPressureOfAWallAreHertzsFromTheFirstTouchToTheLast) {
   // nodes has just come in, an element.
   EXPECT_GT(least_area, 0.95);
   EXPECT_LT(largest_area, std::pow(1 + element / (std::pow(0.5, 1.0 / 3) * hertz.contact_radius), 2));
-  // That of the node at the pole is a mean over half an element around it, where Hertz's has fallen by (h / 4 a)^2 or
-  // 0.3 % in the mean; vibration adds some of the force's 2 %.
+  // The pressure of the node at the pole is a mean over half an element around it, where Hertz's has fallen by (h / 4
+  // a)^2 or 0.3 % in the mean; vibration adds some of the force's 2 %.
   EXPECT_GT(least_pressure, 0.97);
   EXPECT_LT(largest_pressure, 1.03);
   // Nodes have means over an element, of which six are on the contact radius: at 0.8 a, where the curve falls steeply,

@@ -162,7 +162,8 @@ audit: {{max_energy_error: 10}}
   return find_missed(run);
 }
 
-/// The same of a tube of four walls, the middle of one of which goes `by` towards the one opposite, 0.2 away.
+/// What missed_contact says of a tube of four walls, the middle of one of which goes `by` towards the one opposite, 0.2
+/// away.
 std::string tell_folded(double by) {
   const Outcome run = run_deck(fmt::format(R"yaml(
 time: {{end: 3.0e-5, max_step: 1.0e-6}}
@@ -192,7 +193,7 @@ TEST(MissedContact, IsToldWithItsDepthAndPlace) {
               HasSubstr("of part 'high' lies 0.04 (0.4 of an element) inside part 'low' at (0.11, 0.09, 0.36)"));
 }
 
-// Of its sharp edges, during the run.
+// The sharp edges of the block are found inside during the run.
 TEST(MissedContact, IsToldWhereItHasGoneBeforeTheEnd) {
   EXPECT_THAT(
       warn_of_missed(block, 1.2e-4, 9.0e-5),

@@ -241,8 +241,8 @@ output:
     // and across the bar, one element wide, there is the stress of masses at b.
     const double along = inertia * (a * a - x * x + 0.25 * h * h) / 2, across = inertia * b * b;
     const double von_mises = std::sqrt(along * along - along * across + across * across);
-    // Of the middle's stress: the bar stretches by (w a / c)^2 / 3 = 3e-5 and slows down by twice that; near the free
-    // end the stress across dies out over a width, (b / a)^2 = 0.25 %.
+    // Tolerance as a share of the stress in the middle: the bar stretches by (w a / c)^2 / 3 = 3e-5 and slows down by
+    // twice that; near the free end the stress across dies out over a width, (b / a)^2 = 0.25 %.
     EXPECT_NEAR(run.history.last(std::string(name) + "_von_mises"), von_mises, tolerance * inertia * a * a / 2) << name;
     fmt::print("{}: {:.5g} of {:.5g} Pa\n", name, run.history.last(std::string(name) + "_von_mises"), von_mises);
     EXPECT_LT(run.history.last(std::string(name) + "_pressure"), 0);  // tension

@@ -279,7 +279,8 @@ output: {{history: {{every: 1e-4, elements: [{{name: one, id: 1}}]}}}}
   }
 }
 
-// Of a table as of the deck: below melt_temperature, and with an equation of state 70 above absolute_zero.
+// A temperature from a table as one from the deck: below melt_temperature, and with an equation of state 70 above
+// absolute_zero.
 TEST(StartFields, ATemperatureAtWhichItsLawMayNotStartIsRefused) {
   const DeckFolder scene;
   const std::string law =

@@ -13,8 +13,8 @@ namespace percuss::test {
 testing_mesh::WrittenMesh make_mapped_shell(const std::array<int, 2>& cells,
                                             const std::function<Vec3(double, double)>& place);
 
-/// The same map with the nodes inside the square moved at random, by up to a share of a cell either way in both
-/// directions; for one mesh, whose nodes are placed one after the other.
+/// The map with the nodes inside the square moved at random, by up to a share of a cell either way in both directions;
+/// for one mesh, whose nodes are placed one after the other.
 std::function<Vec3(double, double)> distort(const std::array<int, 2>& cells, double share,
                                             const std::function<Vec3(double, double)>& place);
 

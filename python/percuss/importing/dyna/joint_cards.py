@@ -13,7 +13,7 @@ from .materials.rigid import DIRECTIONS, read_local_limits
 from .rigid_cards import read_inertia_lines, start_body
 
 LEFT_OUT = "the joint is left out"
-# Of the extent of the model: nodes of a joint are at one place.
+# Nodes of a joint are at one place if they are nearer than this share of the extent of the model.
 COINCIDENT = 1e-6
 # Joints whose bodies move along the axis: their nodes may lie apart on it.
 SLIDING = ("cylindrical", "screw")

@@ -11,7 +11,7 @@ from .deck import Elements, KeywordDeck
 from .joint_cards import find_extent
 
 CARD = "NODE_MERGE_SET"
-# Of the extent of the model over the cube root of its number of nodes, where no tolerance is given.
+# Tolerance where none is given, as a share of the extent of the model over the cube root of its number of nodes.
 USUAL = 1e-5
 
 

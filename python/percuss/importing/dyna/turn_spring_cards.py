@@ -11,7 +11,7 @@ from .deck import SPACE, KeywordDeck, TurnSpringCard
 
 CARD = "CONSTRAINED_JOINT_STIFFNESS_GENERALIZED"
 LEFT_OUT = "these springs are left out"
-# Of the turns about x, y and z: what ends the names of their fields.
+# What the names of the fields of rotations about x, y and z end with.
 ANGLES = (("x", "PH"), ("y", "T"), ("z", "PS"))
 
 

@@ -144,7 +144,7 @@ TEST(NodeCheck, AConvexEdgeHoldsANodeByOneFace) {
 }
 
 TEST(NodeCheck, HistoryDecidesBeforeDepth) {
-  // The same node with a history on the side: it stays there though the top is nearer.
+  // A node as above with a history on the side: it stays there though the top is nearer.
   CheckedScene scene(make_drop({3.99, 1, 0.995}, {0, 0, 0}), 0.01);
   scene.history_face(3 * 8) = face_of(0, x_max);
   scene.check();

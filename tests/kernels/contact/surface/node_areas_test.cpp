@@ -32,7 +32,7 @@ TEST(NodeAreas, ACornerHasAQuarterOfAQuadrilateralAndAThirdOfATriangle) {
     triangle[(repeated + 1) % 4] = triangle[repeated];
     EXPECT_DOUBLE_EQ(find_corner_area(triangle, true).z, 3.0 / 3) << repeated;
   }
-  // Of a warped face the vector is that of any surface with the same edge: half its diagonals' cross product.
+  // The vector of a warped face is that of any surface with the same edge: half its diagonals' cross product.
   const Point3 warped[4] = {{0, 0, 0.5}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}};
   EXPECT_DOUBLE_EQ(find_corner_area(warped, false).z, 0.25);
   EXPECT_DOUBLE_EQ(find_corner_area(warped, false).x, 0);

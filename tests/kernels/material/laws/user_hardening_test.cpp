@@ -117,7 +117,7 @@ TEST(UserHardening, FollowsItsRateEquations) {
   }
 }
 
-/// The same code, which tells slopes of 0, and once no number.
+/// sample_vuhard() with slopes of 0, and once with a stress that is no number.
 template <int Wrong>
 void tell_wrongly(const int* points, const int* a, const int* b, const int* d, const int* e, const int* f,
                   const double* g, const double* h, const double* k, const char* l, const int* states, const int* m,

@@ -115,7 +115,7 @@ TEST(DeckSchema, TakesEveryFormThatTheReaderTakes) {
   }
 }
 
-// Of the table of wrong decks, mistakes of every kind that a schema can know.
+// Mistakes of every kind that a schema can know, from the table of wrong decks.
 TEST(DeckSchema, RefusesWhatTheReaderRefuses) {
   EXPECT_THAT(faults_of(right_deck), IsEmpty());
   std::set<std::string> names = {"KeyMisspelt",

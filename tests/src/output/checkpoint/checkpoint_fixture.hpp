@@ -42,7 +42,7 @@ class CheckpointFile : public testing::Test {
 
   std::string path() const { return folder_ + "/checkpoint.h5"; }
 
-  /// The same for the sealed file, changed by rank 0.
+  /// Changes the bytes of the sealed file, on rank 0.
   void change(const std::function<void(std::string&)>& how) const {
     world().barrier();
     if (world().rank() == 0) {

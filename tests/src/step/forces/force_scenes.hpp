@@ -38,7 +38,7 @@ inline std::vector<double> take_values(Scene& scene) {
   return row;
 }
 
-/// The same by the headings of their columns.
+/// Values of a row by the headings of their columns.
 inline std::map<std::string, double> take_row(Scene& scene) {
   const std::vector<HistoryColumn> columns = scene.stepper.list_columns();
   const std::vector<double> row = take_values(scene);

@@ -91,7 +91,7 @@ TEST(SectionSets, CarryTheForceOfAWave) {
   const double impulse = exact * (scene.state.time - since);
   for (const char* name : {"layer", "ahead", "plane"})
     EXPECT_NEAR(j.at(std::string("fx:") + name), -impulse, 0.01 * impulse) << name;
-  // The same nodes and elements, the same force; the moment of the plane's is that of an equal force.
+  // Sections of the same nodes and elements have the same force; the moment of the plane's is that of an equal force.
   EXPECT_NEAR(j.at("fx:layer"), j.at("fx:ahead"), 1e-13 * impulse);
   EXPECT_NEAR(j.at("fx:plane"), j.at("fx:ahead"), 1e-13 * impulse);
   EXPECT_NEAR(j.at("my:plane"), j.at("my:ahead"), 1e-13 * impulse);

@@ -39,7 +39,7 @@ enum class Removal { refused, allowed };
 
 class RestartRemovals : public testing::Test {
  protected:
-  /// Of the deck with settings; from a checkpoint of the folder if one is named.
+  /// Runs the deck with settings, from a checkpoint of the folder if one is named.
   RunResult run(const std::vector<std::string>& settings, const std::string& checkpoint = "",
                 Removal removal = Removal::refused) const {
     RunOptions options;

@@ -28,7 +28,7 @@ std::vector<std::string> format_all(const std::vector<Warning>& warnings) {
   return lines;
 }
 
-/// Of a run in which contact has done so much work.
+/// Warnings of a run in which contact has done so much work.
 std::vector<std::string> find_texts(double work, const EnergyScales& scales, const std::string& units = "",
                                     double friction = 0) {
   const double given = find_given(work, friction, scales);

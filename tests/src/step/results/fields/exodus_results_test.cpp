@@ -130,7 +130,7 @@ std::vector<std::string> read_names(const Hdf5FileView& file, const std::string&
   return names;
 }
 
-// Those that the deck names, of generated parts; the bar is 3 long.
+// The sets are those that the deck names, of generated parts; the bar is 3 long.
 TEST(ExodusOnRanks, HasTheSetsThatTheDeckNames) {
   const Folder folder;
   run(make_deck("exodus"), folder.path());

@@ -43,7 +43,8 @@ Written run_to_failure(const std::string& deck, const std::string& folder) {
           file.numbers("VTKHDF/PointData/displacement")};
 }
 
-/// The same run, and again from its checkpoint, which is that of the first step that ends at `time` or later.
+/// Runs the deck to its failure, and again from its checkpoint, which is that of the first step that ends at `time` or
+/// later.
 Written run_twice_to_failure(const std::string& text, const std::string& folder, double time) {
   const Deck deck = parse_deck(text, "deck.yaml", {fmt::format("output.checkpoint={{every: {:.17g}}}", time)});
   EXPECT_THROW(run_scene(deck, {folder, Progress::Style::quiet}), RunError);
