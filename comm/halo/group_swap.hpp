@@ -76,7 +76,7 @@ class GroupSwap {
   Array<int> send_slots_;
   int remote_count_;
   Packed send_, receive_;
-  HostMirror<Packed> send_buffer_, receive_buffer_;  // the same two where kernels run on host memory
+  HostMirror<Packed> send_buffer_, receive_buffer_;  // copies of both on the host
   Rows rows_;                                        // of the swap under way
   DataExchange data_;
 };

@@ -31,7 +31,7 @@ class HaloSwap {
   int first_remote_slot_;
   Array<int> send_slots_;
   Rows3<double> send_values_, remote_values_;               // remote_values_: the remote part of slot_values
-  HostMirror<Rows3<double>> send_buffer_, receive_buffer_;  // the same two where kernels run on host memory
+  HostMirror<Rows3<double>> send_buffer_, receive_buffer_;  // copies of both on the host
   DataExchange data_;
 };
 

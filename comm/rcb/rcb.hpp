@@ -76,7 +76,7 @@ class Rcb {
   void publish();
 
   OwnedCommunicator ranks_;
-  std::vector<Group> groups_;  // those that this rank is in, the largest first
+  std::vector<Group> groups_;  // groups that this rank is in, the largest first
   std::vector<Cut> cuts_;      // [ranks]
   CutTree tree_;
   MedianSearch search_;

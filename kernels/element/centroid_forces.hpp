@@ -30,7 +30,7 @@ struct CentroidMotion {
   double gravity[3] = {};    // at n+1
   double center[3] = {};     // about which moments are taken
   Array<const double> mass;  // [elements]
-  FailingChunks failing;     // those that can fail count by their lives
+  FailingChunks failing;     // elements that can fail count by their lives
   ElementLives lives;
 };
 

@@ -28,7 +28,7 @@ struct QuadraticTrial {
 /// The multiplier with the equivalent stress on the flow stress; 0 where the trial is not above flow.at_rest.
 template <class T, int modes, class Flow>
 KOKKOS_INLINE_FUNCTION T find_multiplier(const QuadraticTrial<T, modes>& trial, const Flow& flow) {
-  constexpr double next_to_molten = 1e-12;  // of the trial's equivalent stress
+  constexpr double next_to_molten = 1e-12;  // share of the trial's equivalent stress
   const T start = trial.find_equivalent(T(0)).value;
   const auto yields = start > flow.at_rest;
   if (!any(yields)) return T(0);

@@ -190,7 +190,7 @@ PERCUSS_FORCE_INLINE OnePointPoint<T, Shape> advance_point(const SolidParameters
   const auto moduli = find_moduli(par, response);
 
   const T half_volume = T(0.5) * m.volume;
-  const T shear = larger(T(par.mu), T(moduli.mu));  // that of rubber grows with the stretch
+  const T shear = larger(T(par.mu), T(moduli.mu));  // the modulus of rubber grows with the stretch
   const T kappa = find_mode_stiffness(out.geometry, shear, par.hourglass);
   out.work.hourglass = advance_modes<Material>(m, turn, kappa, dt, response, state.hourglass);
   out.work.internal = half_volume * contract(ratio.before * old_stress + ratio.now * state.stress, de);

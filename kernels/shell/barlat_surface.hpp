@@ -155,7 +155,7 @@ class BarlatSolver {
 
   KOKKOS_INLINE_FUNCTION BarlatReturn<T> solve() const {
     constexpr int most_steps = 200;
-    constexpr double tolerance = 4e-15;  // of the trial's equivalent stress
+    constexpr double tolerance = 4e-15;  // share of the trial's equivalent stress
     BarlatTry<T> now = start();
     const T size = now.at.stress;
     auto open = size > flow_.at_rest;

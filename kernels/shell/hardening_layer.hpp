@@ -13,7 +13,7 @@ namespace percuss {
 template <class T, class Flow>
 PERCUSS_FORCE_INLINE T find_plane_multiplier(const PlaneReturnRates& rates, const PlaneTrial<T>& trial,
                                              const Flow& flow) {
-  constexpr double next_to_molten = 1e-12;  // of the trial's equivalent stress
+  constexpr double next_to_molten = 1e-12;  // share of the trial's equivalent stress
   const auto [k_normal, k_shear] = rates;
   const T start = square_root(trial.normal + trial.shear);
   const auto yields = start > flow.at_rest;

@@ -70,7 +70,7 @@ struct ActingDamage {
 };
 
 struct OrthotropicPly {
-  static constexpr double brittle_growth = 0.02;   // of damage in a step where no energy spreads it
+  static constexpr double brittle_growth = 0.02;   // growth of damage in a step where no energy spreads it
   static constexpr double least_softening = 1.02;  // last strain over that of the first damage
   double e1 = 0, e2 = 0, nu12 = 0, nu21 = 0, g12 = 0;
   double across_1 = 0, across_2 = 0;  // nu13 / E1, nu23 / E2

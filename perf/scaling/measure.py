@@ -60,7 +60,7 @@ def run_copies(options, deck, ranks, settings):
 class Run(NamedTuple):
     summary: dict
     ranks: list  # a row a rank, of the whole run
-    mpi: list  # the same of MPI calls, empty if they were not counted
+    mpi: list  # a row a rank of MPI calls, empty if they were not counted
 
 
 def read_run(out):

@@ -10,8 +10,8 @@ from .measures import measure
 from .scene import find_wave_speed, write_deck
 
 MOMENTUM = 1e-10  # relative: round-off
-GAIN = 1e-4  # of the initial energy
-DEPTH = 0.01  # of an element; of nodes, up to SLOW of the wave speed and without penalty springs
+GAIN = 1e-4  # share of the initial energy
+DEPTH = 0.01  # share of an element; of nodes, up to SLOW of the wave speed and without penalty springs
 DEEP = 0.1  # the same beyond, of penalty springs, and of edges: those of smooth surfaces are not checked with each other
 SLOW = 0.05
 FRAMES = 12

@@ -204,7 +204,7 @@ double find_height(const Flight::Box& box, const WallDeck& wall) {
 /// Whether distance(time), a parabola, is not negative at time 0 and grows from there on until `end`.
 template <class Distance>
 bool is_growing(double end, double size, const Distance& distance) {
-  constexpr double round_off = 1e-9;  // of a size, and of the growth
+  constexpr double round_off = 1e-9;  // share of a size, and of the growth
   const double first = distance(0), middle = distance(0.5 * end), last = distance(end), growth = last - first;
   const double start_slope = 4 * middle - 3 * first - last, end_slope = first - 4 * middle + 3 * last;
   return first >= -round_off * size && growth > round_off * size &&

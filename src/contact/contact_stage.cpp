@@ -99,7 +99,7 @@ std::int64_t ContactStage::Impl::find_user_id(std::int64_t node) const {
 
 /// Conditions that hold a tied node and its face in one direction must move both alike.
 void ContactStage::Impl::refuse_ties_held_apart(const ContactReport& report) const {
-  constexpr double round_off = 1e-3;  // of a face: conditions that move both alike differ by round-off
+  constexpr double round_off = 1e-3;  // share of a face: conditions that move both alike differ by round-off
   if (!(report.held_apart > round_off)) return;
   throw RunError(
       fmt::format("conditions move tied node {} and its face apart (by {:.2g} of the face size): remove the condition "

@@ -112,8 +112,8 @@ struct ContactStage::Impl {
   const Numbering& numbering;
   const Mesh& mesh;
   UnstructuredExchange exchange;
-  TiedSurfaces ties_of_start;  // but those that have failed
-  TiedSurfaces ties;           // those that erosion has left
+  TiedSurfaces ties_of_start;  // without ties that have failed
+  TiedSurfaces ties;           // ties that erosion has left
   ActiveContact active;
   SurfaceShare share;
   LateTies late;

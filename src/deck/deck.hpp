@@ -40,7 +40,7 @@ struct TimeDeck {
 
 struct AuditDeck {
   double max_energy_error = 0.1;     // relative; a run that leaves it stops with exit code 3
-  double max_momentum_error = 1e-6;  // the same, linear and angular
+  double max_momentum_error = 1e-6;  // relative, linear and angular; as above
   // Energy that contact may give / largest energy, beyond which the run stops with exit code 3; none: it warns.
   std::optional<double> max_contact_gain;
 };

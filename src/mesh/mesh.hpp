@@ -59,7 +59,7 @@ struct Mesh {
   ErodedMesh eroded;
   Vec3 low{}, high{};                 // box of all nodes [length]
   std::vector<PartJoint> joints;      // the same on all ranks; ascending by part and other
-  std::optional<Communicator> ranks;  // those that hold it together; none: this one holds it all
+  std::optional<Communicator> ranks;  // ranks that share the mesh; none: this rank holds all of it
 
   std::span<const int> corners(std::size_t element) const { return elements.corners(element); }
   const ElementBlock& block_of(std::size_t element) const { return elements.block_of(element); }

@@ -15,7 +15,7 @@ struct RankRow {
   std::int64_t elements = 0, nodes = 0;               // of the FE decomposition; copies of nodes included
   std::int64_t contact_nodes = 0, contact_faces = 0;  // of the contact decomposition, at the last search
   PhaseSeconds compute;                               // CPU seconds of the loop without waits for other ranks
-  double compute_loop = 0;                            // the same of the whole loop, what lies between phases included
+  double compute_loop = 0;                            // CPU seconds of the whole loop, between phases too
   double halo_messages = 0, halo_bytes = 0;           // sent to other ranks, per step
   double contact_messages = 0, contact_bytes = 0;
 };

@@ -93,7 +93,7 @@ struct Summary {
   double time = 0, end_time = 0;             // end_time: time.end of the deck; 0: not known
   std::string ended_by;                      // the sensor that has ended the run; empty: none
   std::vector<std::string> restart_changes;  // values of the deck that differ from those of the checkpoint
-  std::vector<SensorSummary> sensors;        // those whose events have come, in the order of the deck
+  std::vector<SensorSummary> sensors;        // sensors whose events have occurred, in the order of the deck
   struct {
     double min = 0, max = 0, last = 0;
     std::int64_t element = 0;  // id of the element that controls the last step

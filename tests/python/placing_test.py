@@ -22,7 +22,7 @@ import percuss  # noqa: E402
 STEEL = "materials: {steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}\n"
 FLOOR = "walls: [{name: floor, point: [0, 0, 0], normal: z}]\n"
 SHORT = "time: {end: 1.0e-9}\n"
-EXACT = 1e-12  # of lengths near 1: a few roundings
+EXACT = 1e-12  # difference of lengths near 1: a few roundings
 
 
 def follow(**ids):

@@ -92,7 +92,7 @@ PERCUSS_NO_INLINE void measure_faces(const SurfaceOffsets& offsets, const Surfac
 struct NodeCandidates {
   const int* face;
   const int* with_history;  // null: none is left out; else those that only a node with a history is checked against are
-  bool skips;               // those that cannot change what holds the node
+  bool skips;               // whether faces that cannot change what holds the node are left out
   int first, last;
 
   /// -1: left out.

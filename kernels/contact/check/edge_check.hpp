@@ -32,7 +32,7 @@ struct EdgeTouch {
   double s = 0, t = 0;   // places on A and on B
   Point3 normal{};       // push direction of A
   double gap_start = 0;  // distance along the normal at n, negative in penetration [length]
-  double gap_end = 0;    // the same at the predicted place
+  double gap_end = 0;    // gap at the predicted place
   double size = 0;       // h: the lesser of the two edges' sizes
 };
 

@@ -19,7 +19,7 @@ struct Touch {
   double weight[4];
   Point3 normal;     // push direction of the node: how the gap changes with its place
   double gap_start;  // distance along the normal at n, negative behind the face [length]; see owes_start
-  double gap_end;    // the same at the predicted place
+  double gap_end;    // gap at the predicted place
   double off;        // distance beside the face
   double tau;        // when a new contact begins, share of the step; 0: touching since the start
   double size;       // h of the face

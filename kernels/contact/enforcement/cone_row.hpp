@@ -173,7 +173,7 @@ KOKKOS_INLINE_FUNCTION bool keep_shares(const RowTwins& twins, double r, double 
 /// take the inverse square of the angle between them to settle who pushes.
 KOKKOS_INLINE_FUNCTION void correct_twin_pushes(const ConeProblem& problem, const RowTwins& twins, double slack,
                                                 const Array<double>& z) {
-  constexpr double singular = 1e-13;  // of the product of the diagonals: twins to round-off
+  constexpr double singular = 1e-13;  // share of the product of the diagonals: twins to round-off
   const int f = problem.first(twins.row), g = problem.first(twins.twin);
   const double a = twins.a11, b = twins.a12, c = twins.a21, d = twins.a22;
   const double r = find_velocity(problem, z, f) - (a * z(f) + b * z(g));

@@ -294,7 +294,7 @@ ConeProblem make_cone_problem(const std::vector<CoupledRow>& rows, const Coupled
 }  // namespace
 
 CoupledReport solve_coupled_rows(const std::vector<CoupledRow>& rows, double dt, std::vector<RowImpulse>& impulses) {
-  constexpr double tolerance = 1e-10;  // of the largest closing velocity
+  constexpr double tolerance = 1e-10;  // share of the largest closing velocity
   const CoupledUnknowns unknowns = list_unknowns(rows, dt);
   impulses.assign(rows.size(), {});
   CoupledReport report;

@@ -15,7 +15,7 @@ namespace percuss {
 
 /// A row between rigid bodies as it can be solved anywhere.
 struct RigidRow {
-  static constexpr int most_bodies = 2;  // those that it pushes; rows on more of them are iterated
+  static constexpr int most_bodies = 2;  // bodies that it pushes; rows on more bodies are iterated
 
   std::int64_t key = 0;
   int body[most_bodies] = {-1, -1};
@@ -51,7 +51,7 @@ struct RigidReport {
 struct RigidQuery {
   double dt = 0;         // step
   double tolerance = 0;  // largest change of a row in a sweep / largest predicted penetration of its island
-  double least = 0;      // the same / smallest h
+  double least = 0;      // largest change of a row in a sweep / smallest h
 };
 
 /// The rows of all ranks, in any order, with the sums of RigidRowList::others. impulses: out, [rows].

@@ -246,7 +246,7 @@ template <class Others>
 SolveReport solve_springs(const WorkSpace& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
                           Others& others) {
   constexpr int max_passes = 20;
-  constexpr double settled = 1e-9;  // of the smallest h
+  constexpr double settled = 1e-9;  // share of the smallest h
   if (!others.takes_part(system)) return {};
   const SpringTimes times{query.dt, query.dt_mean};
   PassSums sums;

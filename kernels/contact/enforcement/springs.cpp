@@ -84,7 +84,7 @@ KOKKOS_INLINE_FUNCTION double find_last_push(double held, double stiffness, doub
 /// until the sides move: of bodies at rest the force is Hooke's.
 KOKKOS_INLINE_FUNCTION double find_settlement(const ContactRow& row, const SpringMotion& motion, double hooke,
                                               double speeds) {
-  constexpr double least_speed = 0.1;  // of that which the push gives
+  constexpr double least_speed = 0.1;  // share of that which the push gives
   const double owed = row.held - find_pair_energy(row, motion.before, motion.depth);
   const double given = row.stiffness * hooke, both = speeds - given, slow = least_speed * given;
   if (motion.rate_before * motion.rate_before < slow * slow) return 0;
@@ -142,7 +142,7 @@ KOKKOS_INLINE_FUNCTION SlipMotion find_slip_motion(const ContactRow& row, const 
 /// spring gives back what it holds and no more, and in the next step, as in its first one, takes what it then stores.
 KOKKOS_INLINE_FUNCTION double find_slip_push(const ContactRow& row, const SlipMotion& slip, const FreeMotion& free,
                                              const SpringTimes& times) {
-  constexpr double begins = 1e-3;  // of the stretch: that of n-1, in the first step, differs from none by round-off
+  constexpr double begins = 1e-3;  // share of the stretch: at n-1, in the first step, it differs from none by round-off
   const double pull = row.spring * slip.stretch, hooke = pull * times.dt_mean, stiffness = row.tangential_stiffness;
   if (slip.stretch < negligible_stretch * row.size || !(times.before() > 0)) return hooke;
   const double most = (1 + most_settled) * hooke;

@@ -67,7 +67,7 @@ KOKKOS_INLINE_FUNCTION WallGap find_round_gap(const ContactWall& wall, const Poi
 /// Whether a point lies beside a wall that ends, or farther behind it than what has come through it could; false where
 /// the wall does not end. depth: of the point behind the surface; size: h of its row.
 KOKKOS_INLINE_FUNCTION bool is_beside(const ContactWall& wall, const Point3& x, double depth, double size) {
-  constexpr double round_off = 1e-9;  // of an edge
+  constexpr double round_off = 1e-9;  // share of an edge
   constexpr double most_depth = 0.5;  // of h: enforcement leaves far less, what comes in at the side is soon deeper
   if (!(wall.size[0] > 0)) return false;
   const double a = dot(wall.along, x - wall.point), more_a = round_off * wall.size[0];

@@ -67,7 +67,7 @@ struct PredictedGaps {
 struct PassSums {
   PredictedGaps gaps;          // before the first pass only
   double change = 0;           // largest change of an impulse as a displacement: |p' - y| dt D [length]
-  double tie_change = 0;       // the same of ties
+  double tie_change = 0;       // largest change of a tie's impulse, likewise
   std::int64_t backwards = 0;  // sum of D dt^2 (y - p') (p' - p): positive when the extrapolation points back [units]
   double largest_term = 0;     // of that sum, without its sign [energy time^2]
   // Without ties, D dt^2 |y - p'| p' and D dt^2 p'^2: the work of the change of impulses and that of the impulses.

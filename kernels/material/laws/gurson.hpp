@@ -14,7 +14,7 @@ namespace percuss {
 /// failure, else 1.
 struct Gurson {
   static constexpr const char* name = "gurson";
-  static constexpr double rounding = 1e-9;  // of a q3 that is meant to be the square of q1
+  static constexpr double rounding = 1e-9;  // share of a q3 that is meant to be the square of q1
   static constexpr int halving = 8;         // the equations fall, but may bend (find_falling_root)
   static constexpr bool grows_in_increments = true;
   using Constants = Gurson;

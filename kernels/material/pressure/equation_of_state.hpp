@@ -89,7 +89,7 @@ struct MieGrueneisenState {
 
   template <class T>
   KOKKOS_INLINE_FUNCTION StatePressure<T> operator()(const T& j, const T& e, const StatePoint<T>& at) const {
-    constexpr double least_gap = 1e-3;  // of 1 - s h - ..., which vanishes where no shock can get
+    constexpr double least_gap = 1e-3;  // least value of 1 - s h - ..., which vanishes where no shock can get
     const T k(at.density * sound_speed * sound_speed), h = T(1) - j, inverse = T(1) / j, m = inverse - T(1);
     const T gap = T(1) / larger(T(1) - (T(slope) + (T(slope_2) + T(slope_3) * h) * h) * h, T(least_gap));
     const T hugoniot = k * h * gap * gap;

@@ -37,7 +37,7 @@ template <class T, class State>
 PERCUSS_NO_INLINE StateChange<T> advance_state(const State& state, const Symmetric3<T>& old, T* history,
                                                double least_bulk, PointStep<T>& step) {
   constexpr int most_steps = 20;
-  constexpr double tolerance = 1e-12;  // of the pressures and moduli that meet
+  constexpr double tolerance = 1e-12;  // share of the pressures and moduli that meet
   const T half(0.5), j = step.motion.volume_ratio, change = j - history[1];
   const StatePoint<T> at{step.density, step.motion.time, step.motion.length, history[2]};
   const T old_pressure = T(-1.0 / 3.0) * trace(old);

@@ -10,8 +10,8 @@ from .shapes import cross, dot, mean, subtract
 from .solids import FACES
 
 LEFT_OUT = "they are left out"  # what happens to the elements where that is allowed
-REACH = 1.01  # of the thickness of a layer, within which its nodes find the other side
-TIED = 0.1  # of the largest edge or diagonal of its faces, how far from a layer the solids are that are tied to it
+REACH = 1.01  # share of the thickness of a layer, within which its nodes find the other side
+TIED = 0.1  # share of the largest edge or diagonal of its faces: solids within this distance of a layer are tied to it
 SAME_AREA = 0.05  # by which the faces of solids at a layer may differ from it
 Faces = list[tuple[int, ...]]
 

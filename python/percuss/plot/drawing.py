@@ -27,10 +27,10 @@ COLORS = ("#1f6fb2", "#d1495b", "#3a8f4d", "#b3701f", "#7b5ea7", "#2a9d9d", "#8a
 STYLES = ("-", (0, (5, 2)), (0, (1.5, 1.5)), (0, (5, 1.5, 1, 1.5)))
 SMALL_NUMBER = 1e-2  # numbers without a unit below it are shown in thousandths, millionths ...
 SUPERSCRIPTS = str.maketrans("-0123456789", "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079")
-ROUND_OFF, FLAT_MARGIN = 1e-9, 0.1  # of the largest value: below it a curve is constant; what its panel shows around it
-SAME_CURVE = 1e-9  # of the largest value: curves that differ by less are one
+ROUND_OFF, FLAT_MARGIN = 1e-9, 0.1  # share of the largest value: below it a curve is constant; what its panel shows around it
+SAME_CURVE = 1e-9  # share of the largest value: curves that differ by less are one
 MOST_TICKS = 7  # intervals of the abscissa: labels of a narrow panel do not touch
-CLOSE_MARKS = 0.02  # of the width of a panel
+CLOSE_MARKS = 0.02  # share of the width of a panel
 INK, GRID, MARK = "#2b2f36", "#e3e6ea", "#b45309"
 SETTINGS = {"font.family": ["DejaVu Sans", "sans-serif"], "font.size": 9, "axes.edgecolor": "#9aa1a8",
             "axes.labelcolor": INK, "text.color": INK, "xtick.color": INK, "ytick.color": INK, "axes.grid": True,

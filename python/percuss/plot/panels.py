@@ -12,7 +12,7 @@ from percuss.results.history import History
 ENERGIES = ("kinetic", "internal", "hourglass", "viscous", "folding", "contact", "friction", "damping", "external",
             "contact_stored", "eroded_energy")
 FORCES = ("wall_force_x", "wall_force_y", "wall_force_z")
-SMALL_FORCE = 0.01  # of the largest force: smaller columns are left out of the panel of forces
+SMALL_FORCE = 0.01  # share of the largest force: smaller columns are left out of the panel of forces
 MOST_NAMES = 40  # of columns in a message
 MOST_CURVES = 12  # of a panel that was chosen by a pattern or by default
 

@@ -19,7 +19,7 @@ MOST_POINTS = 2000  # of a curve: about two for each pixel of its width
 @dataclass
 class Options:
     channel_class: int = 0       # of SAE J211, of the columns; 0: no filter
-    class_after: int = 0         # the same of computed curves
+    class_after: int = 0         # of SAE J211, of computed curves
     x: str = "time"              # the column of the abscissa
     units: Units | None = None         # a Units, to convert to
     start: float = -np.inf       # range of time, in the units of the deck

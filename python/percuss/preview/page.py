@@ -31,7 +31,7 @@ from .trial import Trial, format_bytes, format_seconds, split_messages
 VIEWS = ("-50:22", "130:-12")
 QUALITY = 88
 OF_THE_END = ("hourglass_energy", "energy_error", "element_energy")  # rules that judge a whole run, not its first steps
-MUCH_MEMORY, MUCH_DISK = 0.8, 0.8  # of what there is
+MUCH_MEMORY, MUCH_DISK = 0.8, 0.8  # share of what there is
 
 
 class Preview:

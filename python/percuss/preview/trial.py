@@ -18,7 +18,7 @@ LONGER_RUN = 2.0      # seconds that the second run shall take
 MOST_STEPS = 2000     # of it
 FIELDS_HERE = ("velocity",)  # that the drawing needs
 ALWAYS_WRITTEN = ("displacement", "alive")
-ROW_GROWTH = 1.15     # of a row of the history: the first ones hold many zeros
+ROW_GROWTH = 1.15     # factor on a row of the history: the first ones hold many zeros
 
 
 class Refused(Exception):

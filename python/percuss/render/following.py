@@ -9,7 +9,7 @@ from percuss.results.fields import Fields
 
 from .selection import BadChoice, choose_parts
 
-MOVING = 0.5  # of the largest displacement: nodes that go as far are what moves
+MOVING = 0.5  # share of the largest displacement: nodes that go as far are what moves
 
 
 class Following:

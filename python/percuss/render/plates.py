@@ -13,7 +13,7 @@ Image = tuple[Array | None, tuple[Array, Array] | None]
 MARGIN = 0.08  # of the plate around the bodies, as a share of the size of the scene
 GAP = 5e-4     # by which the plate lies behind the wall, likewise: faces that lie on the wall are seen
 AROUND = 96    # plates around a cylinder or a sphere
-SAME = 1e-6    # of the size of the scene: where the plates of two walls are alike
+SAME = 1e-6    # share of the size of the scene: where the plates of two walls are alike
 
 
 def span_walls(fields: Fields, frame: int, points: Array) -> list[Wall]:

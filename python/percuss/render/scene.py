@@ -27,7 +27,7 @@ FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 VTK_FONT_FILE = 4  # a constant of VTK that its Python modules do not name
 INK = rgb("#2b2f36")
 VEIL = 0.7  # opacity of the white behind texts
-MARK_TO_THE_LEFT = 0.5  # of the width
+MARK_TO_THE_LEFT = 0.5  # share of the width
 SMOOTH_BELOW = 35.0  # degrees between faces: round bodies look round, edges of blocks stay sharp
 
 

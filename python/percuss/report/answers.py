@@ -22,8 +22,8 @@ from .motion import describe_motions
 from .welds import describe_welds
 
 MOST_CHANGES = 6
-UNRESOLVED = 0.5  # of a peak: a row beside it below this does not show the rise or the fall
-STILL_LOADED = 0.1  # of a peak: a larger force in the last row is reported
+UNRESOLVED = 0.5  # share of a peak: a row beside it below this does not show the rise or the fall
+STILL_LOADED = 0.1  # share of a peak: a larger force in the last row is reported
 PERIODS = 10  # of the cut-off frequency of CFC 1000, from which a filter is suggested
 REFINE = "Nothing that this run shows. Repeat it with smaller elements and compare both runs: percuss report DIR DIR2."
 

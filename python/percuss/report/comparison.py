@@ -20,7 +20,7 @@ from .scene import flatten
 MACHINE = ("setup_s", "loop_s", "grind_ns", "phases_s", "earlier", "peak_bytes", "ranks", "threads", "messages",
            "balance", "decomposition", "skipped")
 FIRST_DIMENSIONS = ("force", "energy")
-ROUND_OFF = 1e-6  # of the largest column of a dimension: what stays below it is noise
+ROUND_OFF = 1e-6  # share of the largest column of a dimension: what stays below it is noise
 EQUAL_ABOVE = 1e-14  # relative differences below are written as 0
 
 

@@ -14,14 +14,14 @@ GOOD, LOOK, BAD = "good", "look", "bad"
 
 ENERGY_ERROR = 0.01      # above: look; above ten times as much the run stops by default
 HOURGLASS_SHARE = 0.1    # of the internal energy
-SMALL_ENERGY = 1e-3      # of the largest energy: hourglass energy below it does not count
+SMALL_ENERGY = 1e-3      # share of the largest energy: hourglass energy below it does not count
 CONTACT_SHARE = 0.01     # of the largest energy, of what contact may add
 CONTACT_LOSS = 0.05      # the same, lost in normal contact
 MOMENTUM_ERROR = 1e-9    # round-off lies far below
 STEP_FALL = 0.1          # least over largest step
-ADDED_MASS = 0.01        # of mass scaling
+ADDED_MASS = 0.01        # share of mass that scaling adds
 PENETRATION = 0.05       # that enforcement leaves, of the edge of a face
-ROUND_OFF = 1e-9         # of the largest force: components below it are not listed
+ROUND_OFF = 1e-9         # share of the largest force: components below it are not listed
 STILL_CHANGING = 0.01    # change of the internal energy in the last twentieth of the run, of the largest energy
 
 

@@ -11,7 +11,7 @@ from percuss.results.units import choose_unit
 
 from .markup import make_table
 
-SMALL_MOTION = 1e-3   # of the size of the scene: a part that moves less stays where it is
+SMALL_MOTION = 1e-3   # share of the size of the scene: a part that moves less stays where it is
 SMALL_STRETCH = 0.02  # change of an extent that is put in words
 MOST_PARTS = 4        # that sentences name
 ALONG = 0.95          # cosine from which a motion is along an axis

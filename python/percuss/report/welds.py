@@ -16,7 +16,7 @@ from percuss.results.units import choose_time_unit
 
 from .markup import make_table
 
-NEAR = 0.5       # of the criterion of failure: welds that hold and came so near are listed
+NEAR = 0.5       # share of the criterion of failure: welds that hold and came so near are listed
 MOST_ROWS = 30   # of the welds that failed, and of those near to it
 
 

@@ -24,7 +24,7 @@ class Labelled:
     values: Any
     deck_values: Any  # in the units of the deck
     powers: Powers | None  # of length, mass and time; None: the dimension is not known, or the label names the unit
-    unit: str | None  # that of the label; None: what follows from the powers
+    unit: str | None  # the label's unit; None: what follows from the powers
     note: str = ""  # what the user is told of its unit
 
 

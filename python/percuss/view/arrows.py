@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from .surface import Content, Shape
 
 MOST_ARROWS, FEWER_ARROWS = 1500, 300  # FEWER: where all does not fit
-SMALL = 0.01  # of the longest one: nodes that never come to that get no arrow
+SMALL = 0.01  # share of the longest one: nodes that never come to that get no arrow
 STEPS = 32767
 
 

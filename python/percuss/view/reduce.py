@@ -15,7 +15,7 @@ from .surface import MOST_VOLUMES, Content, Packed, encode, pack
 MOST_FRAMES = 60
 FEWEST_FRAMES = 24  # before anything else is left out
 LARGEST_PACK = 1_900_000  # bytes, compressed, in a report
-MOVING = 0.01  # of the size of the scene: parts whose nodes go less far are left out where all does not fit
+MOVING = 0.01  # share of the size of the scene: parts whose nodes go less far are left out where all does not fit
 COARSEST = 15  # sides of a cube of the grid along the diagonal of the scene
 
 

@@ -144,7 +144,7 @@ std::vector<Warning> check_rigid_inertia(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_beam_section(const CheckedScene& scene) {
-  constexpr double most = 1, least = 1e-5;  // of the longest edge of the part's box
+  constexpr double most = 1, least = 1e-5;  // share of the longest edge of the part's box
   std::vector<Warning> warnings;
   for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
     const PartDeck& part = scene.deck.parts[p];
@@ -163,7 +163,7 @@ std::vector<Warning> check_beam_section(const CheckedScene& scene) {
 // Saint-Venant's torsion constant is the least integral of the squares of both shear strains over all warpings. The
 // warping c y z gives (1 - c)^2 I_y + (1 + c)^2 I_z, whose least is 4 I_y I_z / (I_y + I_z): that of an ellipse.
 std::vector<Warning> check_section_torsion(const CheckedScene& scene) {
-  constexpr double most = 1.02;  // of the bound: rounded tables
+  constexpr double most = 1.02;  // share of the bound: rounded tables
   std::vector<Warning> warnings;
   for (const PartDeck& part : scene.deck.parts) {
     const auto* section = part.section ? std::get_if<BeamSection>(&*part.section) : nullptr;
@@ -180,7 +180,7 @@ std::vector<Warning> check_section_torsion(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_weld_strength(const CheckedScene& scene) {
-  constexpr double least = 1e-5, most = 0.1;  // of Young's modulus; spot welds of metals have 0.001 to 0.005
+  constexpr double least = 1e-5, most = 0.1;  // share of Young's modulus; spot welds of metals have 0.001 to 0.005
   std::vector<Warning> warnings;
   for (const WeldDeck& weld : scene.deck.welds) {
     if (!weld.radius) continue;

@@ -183,7 +183,7 @@ std::vector<Warning> check_velocity_jump(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_stopped_velocity(const CheckedScene& scene) {
-  constexpr double least = 0.5;  // of the nodes: the foot of a bar that is held where it hits is meant
+  constexpr double least = 0.5;  // share of the nodes: the foot of a bar that is held where it hits is meant
   std::vector<Warning> warnings;
   for (std::size_t i = 0; i < scene.deck.initial.size(); ++i) {
     const InitialMeasures& entry = scene.measures->initial[i];
@@ -285,7 +285,7 @@ std::vector<Warning> check_pressure_size(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_gravity_direction(const CheckedScene& scene) {
-  constexpr double least = 0.5;  // of gravity along the normal: less is a wall at the side
+  constexpr double least = 0.5;  // share of gravity along the normal: less is a wall at the side
   if (!scene.deck.gravity.is_constant()) return {};
   const Vec3 g = scene.deck.gravity.at(0);
   const double size = std::sqrt(dot(g, g));

@@ -63,7 +63,7 @@ const PartCrossing* find_crossing(const StartOverlap& found, const PartOverlap& 
 /// The crossings of which crossing_parts warns: of solids only where nodes that contact finds inside do not tell the
 /// depth.
 std::vector<PartCrossing> list_crossings(const StartOverlap& found) {
-  constexpr double most = 0.9;  // of the depth
+  constexpr double most = 0.9;  // share of the depth
   std::vector<PartCrossing> list;
   for (const PartCrossing& crossing : found.crossings)
     if (crossing.contact != PartCrossing::Contact::never && crossing.is_deep()) list.push_back(crossing);
@@ -107,7 +107,7 @@ std::vector<Warning> check_crossing_parts(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_deep_overlap(const CheckedScene& scene) {
-  constexpr double most = 0.2;  // of an element or a thickness: round-off and chords of curved meshes are far less
+  constexpr double most = 0.2;  // share of an element or thickness: round-off and chords of curved meshes are far less
   std::vector<Warning> warnings;
   const bool is_pushed = scene.deck.contact.overlap == ContactDeck::Overlap::push_out;
   const std::vector<PartCrossing> crossings = list_crossings(*scene.overlap);
@@ -183,7 +183,7 @@ std::vector<Warning> check_penalty_speed(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_behind_wall(const CheckedScene& scene) {
-  constexpr double most = 0.2;  // of an element
+  constexpr double most = 0.2;  // share of an element
   std::vector<Warning> warnings;
   for (const PartOverlap& overlap : scene.overlap->parts) {
     if (overlap.other >= 0) continue;
@@ -306,7 +306,7 @@ std::vector<Warning> check_glue_zone(const CheckedScene& scene) {
 // Masses by area of rho h / 2 on either side of the stiffness K: the eigenvalue of glue is K times the sum of the
 // inverse masses, twice for a regular mesh at most; that of an element 4 c^2 / h^2.
 std::vector<Warning> check_glue_step(const CheckedScene& scene) {
-  constexpr double least = 0.5;  // of the step of the elements
+  constexpr double least = 0.5;  // share of the step of the elements
   std::vector<Warning> warnings;
   for (std::size_t i = 0; i < scene.deck.contact.ties.size(); ++i) {
     const TieDeck& tie = scene.deck.contact.ties[i];
@@ -335,7 +335,7 @@ std::vector<Warning> check_glue_step(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_contact_tolerance(const CheckedScene& scene) {
-  constexpr double most = 0.1;  // of the penetration that a step without contact would have
+  constexpr double most = 0.1;  // share of the penetration that a step without contact would have
   const ContactDeck& contact = scene.deck.contact;
   if (!contact.is_iterated() || contact.tolerance <= most) return {};
   return {warn_at(scene.deck, "contact_tolerance", "contact.tolerance",
@@ -345,7 +345,7 @@ std::vector<Warning> check_contact_tolerance(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_tie_distance(const CheckedScene& scene) {
-  constexpr double most = 1;  // of the longest edge: shorter ones may lie across a thin layer
+  constexpr double most = 1;  // share of the longest edge: shorter ones may lie across a thin layer
   std::vector<Warning> warnings;
   for (std::size_t i = 0; i < scene.deck.contact.ties.size(); ++i) {
     const TieDeck& tie = scene.deck.contact.ties[i];

@@ -63,7 +63,7 @@ bool is_monotone(const Rows& rows) {
 
 /// Whether a table was cut off: it has a course of its own, and neither ends flat nor at zero.
 bool is_cut_off(const Rows& rows, double end) {
-  constexpr double flat = 1e-3;  // of the largest value
+  constexpr double flat = 1e-3;  // share of the largest value
   if (rows.empty() || is_monotone(rows) || rows.back().first >= end) return false;
   double largest = 0;
   for (const auto& row : rows) largest = std::max(largest, std::abs(row.second));

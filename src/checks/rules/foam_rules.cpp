@@ -17,7 +17,7 @@ struct Crossing {
 };
 
 std::optional<Crossing> find_crossing(const RateTableFoam& law) {
-  constexpr double much = 0.02;  // of the stress: measured curves lie so close
+  constexpr double much = 0.02;  // share of the stress: measured curves lie so close
   const RateCurves& curves = law.compression;
   for (int k = 0; k + 1 < curves.rates; ++k) {
     for (int i = curves.first[k]; i < curves.first[k + 2]; ++i) {

@@ -120,7 +120,7 @@ Warning warn_of_thick_plane(const Deck& deck, std::size_t condition, std::size_t
 
 /// The axis across which a part is flat; -1: none.
 int find_flat_axis(const PartMeasures& part) {
-  constexpr double flat = 1e-6;  // of the diagonal of its box
+  constexpr double flat = 1e-6;  // share of the diagonal of its box
   for (std::size_t k = 0; k < 3; ++k)
     if (part.high[k] - part.low[k] <= flat * find_diagonal(part.low, part.high)) return static_cast<int>(k);
   return -1;
@@ -179,7 +179,7 @@ std::vector<Warning> check_flat_membranes(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_symmetry_planes(const CheckedScene& scene) {
-  constexpr double flat = 1e-6;  // of the size of the nodes' box
+  constexpr double flat = 1e-6;  // share of the size of the nodes' box
   const Deck& deck = scene.deck;
   std::vector<Warning> warnings;
   for (std::size_t c = 0; c < deck.conditions.size(); ++c) {
@@ -206,7 +206,7 @@ std::vector<Warning> check_symmetry_planes(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_damping_size(const CheckedScene& scene) {
-  constexpr double most = 0.5;       // of the logarithm of the speed: a body in flight loses 40 % of its speed
+  constexpr double most = 0.5;       // share of the logarithm of the speed: a body in flight loses 40 % of its speed
   constexpr double most_creep = 50;  // times critical damping, 2 pi speed / length, of the slowest wave along a part
   const Deck& deck = scene.deck;
   std::vector<Warning> warnings;
@@ -279,7 +279,7 @@ std::vector<Warning> check_idle_columns(const CheckedScene& scene, const std::ve
 }
 
 std::vector<Warning> check_wall_place(const CheckedScene& scene) {
-  constexpr double most = 10;  // of the diagonal of the scene
+  constexpr double most = 10;  // diagonals of the scene
   const Deck& deck = scene.deck;
   const double size = find_diagonal(scene.measures->low, scene.measures->high);
   std::vector<Warning> warnings;
@@ -368,7 +368,7 @@ std::vector<Warning> check_wall_thickness(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_spring_length(const CheckedScene& scene) {
-  constexpr double most = 10;  // of the diagonal of the scene
+  constexpr double most = 10;  // diagonals of the scene
   const Deck& deck = scene.deck;
   const double size = find_diagonal(scene.measures->low, scene.measures->high);
   std::vector<Warning> warnings;

@@ -61,7 +61,7 @@ std::vector<Warning> check_yield_stress(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_hardening(const CheckedScene& scene) {
-  constexpr double most = 0.5;  // of Young's modulus: then yield hardly changes the slope of the stress
+  constexpr double most = 0.5;  // share of Young's modulus: then yield hardly changes the slope of the stress
   std::vector<Warning> warnings;
   for (const MaterialDeck& material : scene.deck.materials) {
     const auto found = material.law.numbers.find("hardening_modulus");
@@ -390,8 +390,8 @@ std::vector<Warning> check_no_viscosity(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_mass_scaling(const CheckedScene& scene) {
-  constexpr double most = 0.25;     // of a part's mass: then the motion is another one
-  constexpr double no_limit = 100;  // of it: an import of a step without a limit writes 1e6
+  constexpr double most = 0.25;     // share of a part's mass: then the motion is another one
+  constexpr double no_limit = 100;  // times it: an import of a step without a limit writes 1e6
   std::vector<Warning> warnings;
   const auto check = [&](const std::optional<MassScalingDeck>& scaling, const std::string& path) {
     if (!scaling || scaling->max_added <= most) return;

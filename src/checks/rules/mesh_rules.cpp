@@ -112,7 +112,7 @@ bool fails_by_stress(const FailureDeck& failure) { return failure.principal_stre
 
 /// The key by which a material loses force over a strain that no size of its elements scales; empty: none does.
 std::string find_softening(const MaterialDeck& material) {
-  constexpr double fall = 0.01;  // of the largest stress of a table: less is noise of a test
+  constexpr double fall = 0.01;  // share of the largest stress of a table: less is noise of a test
   const auto& failure = material.failure;
   if (failure && failure->size.empty()) {
     if (failure->evolution && failure->evolution->plastic_strain) return "failure.evolution.plastic_strain";
@@ -228,7 +228,7 @@ std::vector<Warning> check_softening_strain(const CheckedScene& scene) {
 
 std::vector<Warning> check_failure_size(const CheckedScene& scene) {
   constexpr double most = 3;         // times: so much does the energy of a crack depend on the place where it runs
-  constexpr double rounding = 1e-3;  // of sizes that the table is meant to reach
+  constexpr double rounding = 1e-3;  // share of sizes that the table is meant to reach
   std::vector<Warning> warnings;
   for (const MaterialDeck& material : scene.deck.materials) {
     if (!material.failure) continue;

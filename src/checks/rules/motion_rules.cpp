@@ -300,7 +300,7 @@ std::vector<Warning> check_wall_motion(const CheckedScene& scene) {
 
 /// Whether all nodes of a part move as they would had nothing touched it.
 bool has_flown(const Flight& flight, double speed, const EndMotion& end, std::size_t part) {
-  constexpr double round_off = 1e-6;  // of the speed
+  constexpr double round_off = 1e-6;  // share of the speed
   for (std::size_t k = 0; k < 3; ++k) {
     const double free = flight.velocity()[k] + flight.gravity()[k] * end.time;
     const double margin = round_off * (speed + std::abs(flight.gravity()[k]) * end.time);

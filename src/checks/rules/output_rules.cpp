@@ -128,7 +128,7 @@ std::vector<Warning> check_output_count(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_history_points(const CheckedScene& scene) {
-  constexpr double most = 0.1;  // of the longest edge of the box: a point beside the surface is meant
+  constexpr double most = 0.1;  // share of the longest edge of the box: a point beside the surface is meant
   std::vector<Warning> warnings;
   for (const HistoryPoint& point : scene.deck.output.points) {
     if (!point.near || point.is_inside) continue;

@@ -35,7 +35,7 @@ std::vector<Warning> check_idle_relaxation(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_loose_relaxation(const CheckedScene& scene) {
-  constexpr double most = 1e-3;  // of the largest kinetic energy: 3 % of the swing
+  constexpr double most = 1e-3;  // share of the largest kinetic energy: 3 % of the swing
   const auto& relaxation = scene.deck.start.relaxation;
   if (!relaxation || relaxation->tolerance <= most) return {};
   return {warn_at(scene.deck, "loose_relaxation", "start.relaxation.tolerance",

@@ -74,7 +74,7 @@ std::vector<SuddenLoad> list_sudden_loads(const Deck& deck) {
 
 /// Whether a force pulls a body along a surface with this normal.
 bool pulls_along(const Vec3& force, const Vec3& normal) {
-  constexpr double least = 0.02;  // of it: a degree
+  constexpr double least = 0.02;  // sine of the angle: a degree
   const Vec3 across = cross(force, normal);
   return dot(across, across) > least * least * dot(force, force) * dot(normal, normal);
 }

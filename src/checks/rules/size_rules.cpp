@@ -175,7 +175,7 @@ std::string describe_layer(const PartMeasures& part, bool is_cut) {
 }  // namespace
 
 std::vector<Warning> check_part_size(const CheckedScene& scene) {
-  constexpr double most = 1000;  // of a unit; a container has bolts that are 240 times shorter
+  constexpr double most = 1000;  // units; a container has bolts that are 240 times shorter
   const std::vector<PartDeck>& parts = scene.deck.parts;
   std::vector<std::pair<double, std::size_t>> sizes;
   for (std::size_t p = 0; p < parts.size(); ++p)
@@ -194,8 +194,8 @@ std::vector<Warning> check_part_size(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_shell_thickness(const CheckedScene& scene) {
-  constexpr double most = 0.5;    // of the shorter edge of the surface: no shell theory holds beyond
-  constexpr double least = 1e-5;  // of the longest: a metre of household foil is thicker
+  constexpr double most = 0.5;    // share of the shorter edge of the surface: no shell theory holds beyond
+  constexpr double least = 1e-5;  // share of the longest: a metre of household foil is thicker
   std::vector<Warning> warnings;
   for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
     const PartDeck& part = scene.deck.parts[p];
@@ -373,7 +373,7 @@ std::vector<Warning> check_incompressible_solids(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_triangles(const CheckedScene& scene) {
-  constexpr double most = 0.3;  // of the shells: meshes of quadrilaterals have a few per cent
+  constexpr double most = 0.3;  // share of the shells: meshes of quadrilaterals have a few per cent
   constexpr std::int64_t least_elements = 20;
   std::vector<Warning> warnings;
   for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {

@@ -33,7 +33,7 @@ bool is_column(const PartMeasures& part) {
 
 std::vector<Warning> check_slow_parts(const CheckedScene& scene) {
   constexpr double least = 8;            // times: evenly sized elements of steel and rubber differ by less
-  constexpr double most_elements = 0.5;  // of all: what is most of the mesh is what the run is about
+  constexpr double most_elements = 0.5;  // share of all: what is most of the mesh is what the run is about
   const std::vector<std::size_t> parts = list_by_step(scene);
   std::int64_t all = 0, slow = 0;
   for (const std::size_t p : parts) all += scene.measures->parts[p].elements();

@@ -65,7 +65,7 @@ bool is_patch(const ConditionMeasures& support, const PartMeasures& part) {
 }  // namespace
 
 std::vector<Warning> check_velocity_part(const CheckedScene& scene) {
-  constexpr double little = 0.1;  // of the speed, which gravity gives within the run
+  constexpr double little = 0.1;  // share of the speed, which gravity gives within the run
   const Deck& deck = scene.deck;
   std::vector<Warning> warnings;
   if (std::any_of(deck.walls.begin(), deck.walls.end(), [](const WallDeck& wall) { return wall.moves(); })) return {};

@@ -88,7 +88,7 @@ bool WallWatch::may_limit(double way, const std::vector<WallMotion>& motions, do
 
 /// By wall and part: extremes and exact sums, the same on any ranks. Nodes deep behind a wall that ends have passed it.
 std::vector<WallWatch::Front> WallWatch::measure_fronts(const MovedWalls& moved, const SurfaceMotion& motion) const {
-  constexpr double passed = 0.5;  // of h, as in is_beside()
+  constexpr double passed = 0.5;  // share of h, as in is_beside()
   constexpr std::size_t count = 4;
   const std::size_t parts = mesh_.parts.size(), fronts = deck_.walls.size() * parts;
   std::vector<double> values(count * fronts, std::numeric_limits<double>::lowest());

@@ -82,7 +82,7 @@ class RankedCheck {
 
   ContactRanks ranks_;
   const SurfaceShare& share_;
-  const NumberMap contact_nodes_;  // those that this rank owns in the FE decomposition
+  const NumberMap contact_nodes_;  // contact nodes that this rank owns in the FE decomposition
   DataExchange& data_;
   DataExchange history_data_;
   CheckSpace space_;

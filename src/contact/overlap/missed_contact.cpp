@@ -17,7 +17,7 @@
 namespace percuss {
 namespace {
 
-constexpr double least_ratio = 0.1;  // of an element
+constexpr double least_ratio = 0.1;  // share of an element
 /// Least ratio for a body inside itself: tight folds reach through their neighbours.
 constexpr double least_own_ratio = 0.5;
 

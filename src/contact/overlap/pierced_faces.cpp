@@ -59,7 +59,7 @@ struct Passage {
 /// triangle by no more than `band` counts as before it. A line that touches from behind, or lies in the triangle, does
 /// not go through.
 Passage find_passage(const Point3& way, const Point3 (&triangle)[3], double band) {
-  constexpr double rim = 1e-10;  // of the triangle: on a line between two it goes through both
+  constexpr double rim = 1e-10;  // share of the triangle: on a line between two it goes through both
   const Point3 e1 = triangle[1] - triangle[0], e2 = triangle[2] - triangle[0], across = cross(e1, e2);
   const double area = norm(across);
   if (!(area > 0)) return {};

@@ -253,7 +253,7 @@ void seed_born_edges(const OverlapSearch& search, const SurfaceMotion& motion, b
 }  // namespace
 
 double OverlapSearch::find_margin(const SurfaceMotion& motion) const {
-  constexpr double margin = 0.3;  // of a mean edge
+  constexpr double margin = 0.3;  // share of a mean edge
   return margin * bound.find_mean_edge(motion);
 }
 

@@ -31,9 +31,9 @@ struct BodyShare {
 /// A point on an edge, on its way to ranks with faces of other bodies.
 struct EdgePoint {
   int place = 0, home = 0;  // among the points of its home
-  int body = 0;             // that of its edge
+  int body = 0;             // body of its edge
   int surface_class = 0;
-  double reach = 0;  // of the body that it may be in [length]
+  double reach = 0;  // reach of the body that it may be in [length]
   int in = 0;        // that body
   Point3 x{};
 };

@@ -22,7 +22,7 @@ struct SunkenEdge {
 };
 
 struct SunkenEdges {
-  std::vector<SunkenEdge> found;  // those whose home this rank is
+  std::vector<SunkenEdge> found;  // edges whose home is this rank
   std::int64_t tests = 0;         // of points and boxes, the most of a rank: what it has cost
 };
 

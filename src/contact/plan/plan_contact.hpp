@@ -39,7 +39,7 @@ struct ContactPlan {
 
 /// Which contacts between bodies a plan takes to be there.
 enum class PlannedTouches {
-  start,  // those that a check finds at the start
+  start,  // contacts that a check finds at the start
   near    // each node touches the nearest of its candidate faces
 };
 

@@ -13,7 +13,7 @@ namespace percuss {
 
 /// Nodes whose motion is requested.
 struct MotionPart {
-  ItemPart items;  // the same on the host
+  ItemPart items;  // the nodes, on the host
   ExchangePlan request;
   Array<int> rows, published;      // in messages: rows of the copy, mesh nodes of this rank
   Array<int> own_rows, own_nodes;  // of this rank itself

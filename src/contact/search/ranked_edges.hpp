@@ -65,7 +65,7 @@ class RankedEdges {
   const SurfaceShare& share_;
   std::optional<UnstructuredExchange> exchange_;
   std::optional<DataExchange> data_;
-  std::optional<AssignedParts> parts_;  // those of the decomposition, with the reach of edges' points
+  std::optional<AssignedParts> parts_;  // parts of the decomposition, with the reach of edges' points
 
   // Edges whose home this rank is.
   std::vector<EdgeTopology> divided_edges_;   // SurfaceShare::edges, in pieces of now

@@ -33,7 +33,7 @@ struct TieCounts {
 };
 
 struct TiedSurfaces {
-  std::vector<TiedNode> nodes;  // those that this rank owns, ascending
+  std::vector<TiedNode> nodes;  // tied nodes that this rank owns, ascending
   // [ties] exterior faces of this rank, ascending: those of side a with a node in reach, and side b; of shells both
   // sides of each.
   std::vector<std::array<std::vector<ElementFace>, 2>> faces;

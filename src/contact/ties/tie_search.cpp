@@ -89,7 +89,7 @@ Box find_reach(const std::vector<Vec3>& x, const Face& face) {
 
 /// TiedNode::side. Nodes on a solid are outside of it, wherever the gap or the overlap of the start puts them.
 int find_side(const TieGeometry& tie, bool is_shell) {
-  constexpr double least = 1e-6;  // of the face
+  constexpr double least = 1e-6;  // share of the face
   if (!is_shell) return 1;
   const double height = dot(find_face_normal(tie.face), tie.offset);
   if (height > least * tie.size) return 1;

@@ -19,7 +19,7 @@ struct NodeBox {
 
 /// [ties] boxes of the tied nodes, wider by the largest distance of one from its face. Collective.
 std::vector<NodeBox> find_tied_boxes(const Mesh& mesh, const TiedSurfaces& ties, const Communicator& ranks) {
-  constexpr double margin = 1e-3;  // of the box: faces that lie on it are in
+  constexpr double margin = 1e-3;  // share of the box: faces that lie on it are in
   std::vector<double> bounds(6 * ties.known.size(), -std::numeric_limits<double>::infinity());  // -low, high
   for (std::size_t t = 0; t < ties.known.size(); ++t) {
     for (const std::int64_t number : ties.known[t]) {

@@ -72,7 +72,7 @@ bool turn_rectangle(const Reader& reader, const Node& node, WallDeck& wall) {
   const double out = along[0] * n[0] + along[1] * n[1] + along[2] * n[2];
   for (std::size_t k = 0; k < 3; ++k) along[k] -= out * n[k];
   const double length = std::hypot(along[0], along[1], along[2]);
-  constexpr double least = 1e-3;  // of the direction: less points out of the wall, but for round-off
+  constexpr double least = 1e-3;  // component of the direction: with less it points out of the wall, but for round-off
   if (length < least) {
     reader.error(node.find("rectangle")->spot, fmt::format("{} points along the normal (it must lie in the wall)",
                                                            reader.name_of("rectangle.along")));

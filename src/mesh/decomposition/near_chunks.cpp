@@ -90,7 +90,7 @@ std::vector<GraphEdge> add_near_chunks(const std::vector<ChunkBox>& chunks, std:
   std::sort(order.begin(), order.end(), [&](int a, int b) { return std::tuple(low(a), a) < std::tuple(low(b), b); });
   const std::vector<int> bodies = find_bodies(chunks.size(), shared);
   std::vector<GraphEdge> near;
-  std::vector<int> open;  // those whose boxes may reach the next along x
+  std::vector<int> open;  // chunks whose boxes may reach the next along x
   std::size_t looked_at = 0;
   for (const int c : order) {
     const auto i = static_cast<std::size_t>(c);

@@ -18,7 +18,7 @@ struct RankPlan {
   std::int64_t elements = 0;
   std::int64_t work = 0;          // of its elements, on the scale of hexahedron_cost
   std::int64_t nodes = 0;         // of its elements
-  std::int64_t shared_nodes = 0;  // those that other ranks hold too
+  std::int64_t shared_nodes = 0;  // nodes that other ranks hold too
   int neighbours = 0;             // ranks that it shares nodes with
   std::int64_t slots_sent = 0;    // a chunk's contribution to a shared node, to every other rank that holds the node
   std::int64_t copies_sent = 0;   // a shared node that it owns, to every other rank that holds the node

@@ -28,7 +28,7 @@ struct FileResults {
   std::vector<FileBlock> blocks;
   std::vector<std::vector<std::int64_t>> corners;  // [blocks] nodes of the elements, from 1
   std::vector<std::int64_t> element_ids, node_ids;
-  std::map<std::string, ResultsColumn> of_elements, of_nodes;  // those wished for that the file has
+  std::map<std::string, ResultsColumn> of_elements, of_nodes;  // requested columns that the file has
   std::vector<std::string> element_names, node_names;          // all that it has
 };
 

@@ -182,7 +182,7 @@ void assign_ids(const Deck& deck, SceneParts& scene) {
     nodes.give(sharers[place], place, lowest[place].first);
     elements.give(sharers[place], place, lowest[place].second);
     if (!nodes.raised(place) && !elements.raised(place)) continue;
-    if (!deck.parts[sharers[place][0]].images.empty()) continue;  // that of a copy is no surprise
+    if (!deck.parts[sharers[place][0]].images.empty()) continue;  // raised ids of a copy are expected
     scene.warnings.push_back(
         {"raised_ids",
          fmt::format("the file's {} ids are already used by an earlier part (percuss adds an offset to them)",

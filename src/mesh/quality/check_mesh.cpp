@@ -171,7 +171,7 @@ std::string judge_shell(const std::string& element, const ElementCorners& x, std
 
 /// What is wrong with a beam; empty if nothing.
 std::string judge_beam(const std::string& element, const ElementCorners& x) {
-  constexpr double round_off = 1e-13;  // of the distance to the origin
+  constexpr double round_off = 1e-13;  // share of the distance to the origin
   const double length = find_distance(x[0], x[1]);
   if (length > round_off * std::sqrt(dot(x[0], x[0]))) return "";
   return fmt::format("{} has no length (it is {:.6g}): check the places of its nodes", element, length);

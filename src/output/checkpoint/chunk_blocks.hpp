@@ -39,7 +39,7 @@ class ChunkBlocks {
   const ChunkedMesh& mesh_;
   DataExchange exchange_;
   int first_ = 0, end_ = 0;     // chunks that this rank writes
-  std::vector<int> by_source_;  // those, by the rank that holds them
+  std::vector<int> by_source_;  // these chunks, by the rank that holds them
 };
 
 }  // namespace percuss

@@ -54,7 +54,7 @@ FailureLimits make_limits(const MaterialDeck& material, double step_scale) {
   if (const auto& d = deck.johnson_cook) {
     limits.johnson_cook = {d->d1, d->d2, d->d3, d->d4, d->d5, d->reference_rate};
   }
-  const auto& numbers = material.law.numbers;  // those that the deck gives
+  const auto& numbers = material.law.numbers;  // numbers that the deck gives
   if (const auto melt = numbers.find("melt_temperature"); melt != numbers.end() && melt->second > 0) {
     const auto room = numbers.find("room_temperature");
     limits.room_temperature = room == numbers.end() ? JohnsonCook{}.room_temperature : room->second;

@@ -16,8 +16,8 @@ namespace percuss {
 struct BookedPart {
   std::string name;
   int index = 0;                 // into Mesh::parts; into OutputDeck::blocks
-  bool can_fail = false;         // then it has columns of what is eroded
-  bool resists_folding = false;  // likewise of that work
+  bool can_fail = false;         // if so, it has columns of eroded mass and energy
+  bool resists_folding = false;  // if so, it has a column of the work against folding
 };
 
 /// What is summed of each part or block; some have columns only where it can fail, or resists folding.

@@ -246,7 +246,7 @@ PlaneDirection<double> find_reference_axis(const std::optional<Vector3<double>>&
                                            const Vector3<double> (&corners)[4], const Matrix3<double>& frame) {
   const Vector3<double> axis = given.value_or(corners[1] - corners[0]), local = frame * axis;
   const double length = std::hypot(local.x, local.y);
-  constexpr double least = 1e-3;  // of the axis; below it its direction in the plane is round-off
+  constexpr double least = 1e-3;  // share of the axis; below it its direction in the plane is round-off
   if (!(length > least * norm(axis))) return {0, 0};
   return {local.x / length, local.y / length};
 }

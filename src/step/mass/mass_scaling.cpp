@@ -68,7 +68,7 @@ double find_wanted_mass(double step, double bound, double mass) {
 void give_shared_mass(const Deck& deck, const ChunkedMesh& chunked, const Communicator& ranks, SolidBounds& solids,
                       std::vector<double>& masses) {
   constexpr int most_passes = 100;
-  constexpr double tolerance = 1e-6;  // of the step
+  constexpr double tolerance = 1e-6;  // share of the step
   for (int pass = 0; pass < most_passes; ++pass) {
     const std::vector<double> bounds = solids.find(masses);
     int lacking = 0;

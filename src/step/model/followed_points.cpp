@@ -115,7 +115,7 @@ struct Holder {
   MaterialPlace place;
 };
 Holder find_held(const Mesh& mesh, std::size_t element, const Vec3& place) {
-  constexpr double round_off = 1e-6;  // of the diagonal of the element
+  constexpr double round_off = 1e-6;  // share of the diagonal of the element
   const Topology& topology = mesh.topology_of(element);
   if (topology.is_line()) return {};
   ElementCorners x;

@@ -75,7 +75,7 @@ struct Model {
   Model& operator=(Model&&) noexcept;
   ~Model();
 
-  Communicator ranks{MPI_COMM_SELF};  // those that hold the scene together
+  Communicator ranks{MPI_COMM_SELF};  // ranks that share the scene
   int node_count = 0;                 // of this rank, copies included
   int element_count = 0;              // of this rank
 
@@ -86,7 +86,7 @@ struct Model {
   StartHistory start_history;
   // [chunks] 1: of a rigid part; of a part that no block has, rigid or a skin. Both empty if there is none.
   Array<int> is_rigid_chunk, is_uncomputed_chunk;
-  FailingChunks failing;   // those whose material can fail
+  FailingChunks failing;   // chunks whose material can fail
   bool can_erode = false;  // whether there are any on any rank
 
   // Whether any rank has shells or beams that bend, whose nodes turn; without them what follows is empty.

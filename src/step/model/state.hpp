@@ -89,9 +89,9 @@ struct State {
   Array<double> mass;            // of the nodes, at n; 0: vanished
   Rows3<double> inverse_mass;    // 0 in held directions and of vanished nodes
   double total_mass = 0;         // of all ranks
-  PressureFaces pressure_faces;  // those of dead elements have no area
+  PressureFaces pressure_faces;  // faces of dead elements have no area
   PressureSums pressure_sums;    // [runs of these faces] of the forces at n, and of the step to n
-  NodalLoads nodal_loads;        // those of nodes that have vanished are gone
+  NodalLoads nodal_loads;        // without loads of nodes that have vanished
 
   // Sensors of the deck: which events have come, with their delays. What they have left of the held directions.
   std::vector<char> happened;

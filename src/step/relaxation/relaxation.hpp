@@ -87,9 +87,9 @@ class Relaxation {
   PreloadStage preloads_;
   RelaxationSummary report_;
   double elapsed_ = 0;                               // of all steps [time]
-  double largest_kinetic_ = 0, largest_moving_ = 0;  // the latter of translations
-  double power_ = 0, inertia_ = 0;                   // of the last looks, which fade
-  double moving_power_ = 0, moving_inertia_ = 0;     // those of translations
+  double largest_kinetic_ = 0, largest_moving_ = 0;  // largest_moving_: of translations alone
+  double power_ = 0, inertia_ = 0;                   // sums over the last checks, with decaying weights
+  double moving_power_ = 0, moving_inertia_ = 0;     // power and inertia of translations alone
   double frequency_ = 0;                             // [rad / time]
   long quiet_steps_ = 0;
   double least_lack_ = 0;                        // of preloads, until the last check of their progress

@@ -138,7 +138,7 @@ bool JointSolver::keeps(const State& state, int joint, const double* gap) const 
 /// Newton's method with the mobilities at n, which the turn of a step hardly changes.
 int JointSolver::solve_chain(const State& state, double dt, Chain& chain, std::vector<RigidState>& next) {
   constexpr int most_iterations = 40;
-  constexpr double enough = 1e-16, stalls = 0.9;  // of the first gap; of the one before
+  constexpr double enough = 1e-16, stalls = 0.9;  // share of the first gap; of the one before
   const std::vector<RigidState> free = next;
   chain.multipliers.assign(chain.rows.size(), 0);
   double first = 0, before = 0;

@@ -311,7 +311,7 @@ void Run::note_contact() {
 /// Contact that gives energy is booked as work, so that the balance does not show it. It is reported where it is still
 /// too much a while later, or in the last state: loads that rise from 0 begin with energies of round-off.
 void Run::note_contact_gain(bool is_last) {
-  constexpr double wait = 0.01;  // of the run
+  constexpr double wait = 0.01;  // share of the run
   const GainPlace* const found = warnings_.found_gain();
   if (found != nullptr && !is_last && state_.time < found->time + wait * deck_.time.end) return;
   const double share = find_tolerated_gain(deck_.audit);

@@ -48,7 +48,7 @@ std::string describe_element(const CheckedRun& run, std::int64_t number) {
 
 /// Where bodies meet faster than the step resolves; else empty.
 std::string describe_fast_approach(const CheckedRun& run) {
-  constexpr double resolved = 0.2;  // of the step that approach allows: a tenth of a face
+  constexpr double resolved = 0.2;  // share of the step that approach allows: a tenth of a face
   const Approach* const approach = run.stepper.find_limiting_approach(run.state);
   if (approach == nullptr) return "";
   return fmt::format("; {} limits the step: try time.max_step: {:.1g}", describe_approach(*approach, run.chunked.mesh),

@@ -117,7 +117,7 @@ class Run {
   const UserDatabases user_databases_;
   const SceneMeasures measures_;  // at time 0
   bool is_state_whole_ = true;    // false while a step is made
-  bool keeps_summary_ = false;    // that of the run which is continued: nothing is left to compute
+  bool keeps_summary_ = false;    // whether the summary of the continued run stays: nothing is left to compute
   long start_step_ = 0;           // where this run began
   double first_dt_ = 0;
   std::int64_t limiting_element_id_ = 0;  // bounded the last step

@@ -11,7 +11,7 @@
 namespace percuss::test::cook_runs_test {
 namespace {
 
-constexpr double tip = 0.0807;  // of the converged membrane in plane strain: 8.07 of a load of 100
+constexpr double tip = 0.0807;  // deflection of the converged membrane in plane strain: 8.07 of a load of 100
 
 /// Deflection of the upper corner at rest, with so many cells a side; `more`: settings of the elements.
 double find_tip(const std::string& kind, int cells, const std::string& more = "") {

@@ -98,7 +98,7 @@ TEST(Sensors, ALoadEndsInTheStepInWhichANodeHasMovedFar) {
   const double force = 1e4 * 0.04, half = 0.5e-4;
   for (std::size_t i = row; i < run.history.rows(); ++i)
     ASSERT_NEAR(run.history["momentum_x"][i], force * (t[row - 1] - half) + mass * 5 * (t[i] - half), 1e-12);
-  EXPECT_LT(std::abs(run.summary.energy.error), 1e-6);  // that of waves in the block, also without a sensor
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-6);  // error of waves in the block, also without a sensor
   EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
 }
 

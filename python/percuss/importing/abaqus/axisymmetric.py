@@ -15,8 +15,8 @@ from .deck import AbaqusDeck
 from .mesh import BEAMS, POINTS, RINGS, SHELLS, SPRINGS, STRAINED
 
 SHARE = 1 / (2 * math.pi)  # of the ring that the sector is
-NEAR = 1e-9  # of the largest radius: on the axis
-OFF_AXIS = 0.01  # of the shortest edge of an element that has one corner on the axis: where the twin of this is
+NEAR = 1e-9  # share of the largest radius: on the axis
+OFF_AXIS = 0.01  # share of the shortest edge of an element that has one corner on the axis: where the twin of this is
 OTHERS = {*BEAMS, *POINTS, *SPRINGS, *SHELLS, *STRAINED}
 HELD = ("x", "z", "rx", "ry", "rz")  # of bodies
 TOLD = ("a sector of 90 degrees with one layer: its mass, forces and energies are those of the ring over 2 pi; "

@@ -12,7 +12,7 @@ from .lines import Block, Line
 from .plies import add_hashin
 
 KEYWORDS = ("DAMAGE INITIATION", "DAMAGE EVOLUTION", "SHEAR FAILURE", "TENSILE FAILURE")
-LEAST_DEGRADATION = 0.9  # of *SECTION CONTROLS: above it what stays of the stiffness does not count
+LEAST_DEGRADATION = 0.9  # MAXIMUM DEGRADATION of *SECTION CONTROLS: above it what stays of the stiffness does not count
 NEVER_FAILS = "there is no failure"
 RAPID_FALL = 6.0  # exponent of softening by an energy: what is left at the end of it is 0.25 % of the force
 LEAST_EXPONENT, MOST_EXPONENT = 1e-3, 100.0  # of failure.evolution.exponent

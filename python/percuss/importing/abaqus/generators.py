@@ -12,7 +12,7 @@ from .lines import Block, Line
 from .mesh import MOST_MEMBERS, Scope, keep_once, rotate
 
 Axes = tuple[Vector, Vector, Vector]
-SAME_PLACE = 1e-6  # of the largest coordinate: what files round
+SAME_PLACE = 1e-6  # share of the largest coordinate: what files round
 
 
 def read_system(scope: Scope, block: Block) -> None:

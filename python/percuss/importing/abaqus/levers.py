@@ -7,7 +7,7 @@ from ..model import Vector
 from ..shapes import shell_area, solid_volume, subtract
 from .deck import AbaqusDeck, RigidGroup
 
-MOST = 0.02  # of the reach of a body: a lever that is left out
+MOST = 0.02  # share of the reach of a body: a lever that is left out
 AXES = ("x", "y", "z")
 
 

@@ -18,7 +18,7 @@ CARD = "RIGID BODY.ANALYTICAL SURFACE"
 KINDS = ("REVOLUTION", "CYLINDER", "SEGMENTS")
 WORDS = {"START": 2, "LINE": 2, "CIRCL": 4, "PARAB": 4}
 LEFT_OUT = "it is left out"
-NEAR = 1e-6  # of a radius
+NEAR = 1e-6  # share of a radius
 AROUND, ALONG, PER_ARC = 48, 20, math.radians(5.0)  # rigid shells around an axis, along a line, and of an arc
 EVERYWHERE = ("x", "y", "z", "rx", "ry", "rz")
 

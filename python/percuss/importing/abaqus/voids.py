@@ -7,7 +7,7 @@ from .deck import AbaqusDeck, MaterialBlocks
 from .lines import Block
 
 KEYWORDS = {"POROUS METAL PLASTICITY", "VOID NUCLEATION", "POROUS FAILURE CRITERIA"}
-ROUNDING = 1e-9  # of a q3 that is meant to be the square of q1
+ROUNDING = 1e-9  # share of a q3 that is meant to be the square of q1
 
 
 def read_first(deck: AbaqusDeck, block: Block, count: int) -> list[float]:

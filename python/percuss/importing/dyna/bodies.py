@@ -56,7 +56,7 @@ def find_bodies(deck: KeywordDeck) -> dict[int, str]:
         if not name:
             continue
         extra = list_extra_nodes(deck, [id])
-        if is_driven(deck, lead):  # those with elements move along the same curves
+        if is_driven(deck, lead):  # extra nodes with elements move along the same curves
             extra = [node for node in extra if node not in deck.used_nodes()]
         bodies |= dict.fromkeys(extra, name)
         bodies |= dict.fromkeys(deck.nodes_of_part(id), name)

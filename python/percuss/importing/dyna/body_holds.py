@@ -13,7 +13,7 @@ from .windows import join_motions
 
 AXES = ("x", "y", "z")
 FREEDOMS = (*AXES, "rx", "ry", "rz")
-SMALL = 1e-6  # of a row of length 1: round-off
+SMALL = 1e-6  # components of a row of length 1: round-off
 
 Six = tuple[float, ...]  # velocity of a reference point, and spin
 

@@ -9,7 +9,7 @@ from .deck import JointCard, KeywordDeck
 
 AXES = ("x", "y", "z")
 TURNING = ("revolute", "cylindrical", "screw")
-ROUND_OFF = 1e-9  # of the extent of the model
+ROUND_OFF = 1e-9  # share of the extent of the model
 MOST_OFF = 0.01  # likewise: farther off it is another mechanism
 
 

@@ -5,7 +5,7 @@ from ..shapes import dot, subtract
 from .deck import KeywordDeck
 
 SHARE_OF_THICKNESS, SHARE_OF_DIAGONAL = 0.6, 0.05
-SMALLEST = 1e-3  # of a reach: what overlaps within the thickness of shells is always tied
+SMALLEST = 1e-3  # share of a reach: what overlaps within the thickness of shells is always tied
 
 
 def find_reach(deck: KeywordDeck, nodes: set[int], faces: set[int], thicknesses: list[float]) -> float:

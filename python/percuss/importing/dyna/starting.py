@@ -9,7 +9,7 @@ from ..shapes import cross, make_vector, section_area, shell_area, solid_volume,
 from .deck import KeywordDeck
 
 AXES = ("x", "y", "z")
-ROUND_OFF = 1e-9  # of the largest speed
+ROUND_OFF = 1e-9  # share of the largest speed
 REST: Vector = (0.0, 0.0, 0.0)
 Start = tuple[Vector, Vector]  # velocity, spin
 

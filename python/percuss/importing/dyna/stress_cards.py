@@ -13,7 +13,7 @@ from .deck import KeywordDeck
 STRESS = ("SIGXX", "SIGYY", "SIGZZ", "SIGXY", "SIGYZ", "SIGZX")
 QUANTITIES = "stress_xx,stress_yy,stress_zz,stress_xy,stress_yz,stress_zx,equivalent_plastic_strain"
 MOST_LINES = 10**6  # of one element
-SAME_POINT = 1e-4  # of places across a shell, from -1 to 1
+SAME_POINT = 1e-4  # distance of places across a shell, from -1 to 1
 
 Values = list[float]
 Points = list[tuple[float, Values]]  # the place across a shell, and what is there

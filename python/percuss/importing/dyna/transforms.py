@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 Affine = tuple[tuple[Vector, Vector, Vector], Vector]  # x -> A x + b
 SAME: Affine = (((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), (0.0, 0.0, 0.0))
-ROUND_OFF = 1e-9  # of products of rows that commute
+ROUND_OFF = 1e-9  # difference of products of rows that commute
 # What holds no places, directions or speeds of its own, but in nodes.
 MOVABLE = (
     "NODE", "ELEMENT_SOLID", "ELEMENT_TSHELL", "ELEMENT_SHELL", "ELEMENT_MASS", "ELEMENT_DISCRETE", "PART", "SECTION_",

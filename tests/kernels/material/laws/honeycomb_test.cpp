@@ -26,7 +26,7 @@ namespace {
 /// xx, yy, zz, xy, yz, zx of make_sample(): strength at a crush c, straight from c = 0 to 0.7.
 struct Component {
   double at_rest, at_the_end, modulus;  // modulus: of the component over its own strain, before crush
-  double solid;                         // the same of the solid
+  double solid;                         // modulus of the solid
   double find_strength(double c) const { return at_rest + (at_the_end - at_rest) * std::clamp(c / 0.7, 0.0, 1.0); }
   double find_modulus(double c) const { return modulus + (solid - modulus) * std::clamp(c / 0.8, 0.0, 1.0); }
 };

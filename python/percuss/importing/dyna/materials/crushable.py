@@ -10,7 +10,7 @@ from ..cards import Card, Lines
 from ..deck import KeywordDeck
 from .shared import Use, finish_lines, note_viscosity, scale_stresses
 
-NO_TENSION = 1e-9  # of Young's modulus: TSC of 0
+NO_TENSION = 1e-9  # share of Young's modulus: TSC of 0
 LINE = 64  # rows of a line over a logarithm, before they are thinned
 EIGHT, TWO = " ".join("ABCDEFGH"), "I J"
 

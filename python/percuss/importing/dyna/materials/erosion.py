@@ -10,7 +10,7 @@ from ..deck import KeywordDeck
 from .gissmo import add_idam
 from .shared import Use, finish_lines, set_failure, set_layers
 
-FIRST_FIBRE = 1e-3  # of the area of a section: less than any fibre has
+FIRST_FIBRE = 1e-3  # share of the area of a section: less than any fibre has
 MOST_VOLUME_STRAIN = 30.0  # beyond it nothing fails, and the exponential is no sound number
 
 

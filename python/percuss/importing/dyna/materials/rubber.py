@@ -12,7 +12,7 @@ from .shared import Use, finish_lines, note_viscosity
 LEFT_OUT = "the parts made of it are left out"
 EIGHT = range(1, 9)
 MOST_RELAXATIONS = 6
-ROUND_OFF = 1e-9  # of the largest strain of a curve
+ROUND_OFF = 1e-9  # share of the largest strain of a curve
 MOST_SIDE = 16  # rows of a curve in compression, and in tension
 
 
