@@ -44,7 +44,7 @@ class Team {
 
   const Communicator ranks_;
   std::vector<char> is_in_;       // [ranks]
-  std::vector<char> has_worked_;  // [ranks] since the last look at who has
+  std::vector<char> has_worked_;  // [ranks] since the last check of who has
   int size_ = 0;
   int meetings_ = 0;  // since that look
   int formations_ = 0;

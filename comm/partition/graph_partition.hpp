@@ -34,7 +34,7 @@ Graph build_graph(const std::vector<GraphEdge>& edges, std::vector<int> costs);
 
 /// The part of each vertex, and the quality of the partition.
 struct Partition {
-  std::vector<int> parts;  // [vertices] 0 <= part < the number asked for
+  std::vector<int> parts;  // [vertices] 0 <= part < the number requested
   int empty_parts = 0;     // parts without a vertex: there are fewer vertices than parts, and the caller tells its user
   double imbalance = 1;    // cost of the heaviest part over the mean of all parts, empty ones included
   long long cut = 0;       // weight of the edges between parts

@@ -12,7 +12,7 @@ namespace percuss {
 
 namespace {
 
-/// Shrinking less than so many times, a bracket is probed at quantiles of its points instead of evenly.
+/// A bracket that shrinks by less than this factor is probed at quantiles of its points instead of evenly.
 constexpr std::int64_t least_shrinking = 4;
 
 constexpr int samples_of_rank = 16;

@@ -3,9 +3,8 @@
 // PERCUSS_MEMORY_APART puts all views of kernels there, and so finds each place of the host that would fail where a
 // device has memory of its own.
 //
-// Its pages are without access but in a kernel or a copy. A touch of the host is a fault, which the guard counts by
-// place and then lets pass, one instruction at a time. `PERCUSS_HOST_READS=stop` ends the program at the first one
-// instead.
+// Its pages are without access but in a kernel or a copy. An access from the host faults; the guard records where, and
+// then lets that one instruction pass. `PERCUSS_HOST_READS=stop` ends the program at the first one instead.
 
 #if defined(PERCUSS_MEMORY_APART)
 

@@ -6,7 +6,7 @@
 
 namespace percuss {
 
-/// Scalars of a material's history that others ask for by name: fields, and rules that read the records of elements.
+/// Scalars of a material's history that others request by name: fields, and rules that read the records of elements.
 /// remains: 0 where the law has deleted the point; damage of plies: 0 to 1. Of a law with state variables: the
 /// place of the first of them, and that after the last.
 enum class HistoryScalar {

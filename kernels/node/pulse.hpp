@@ -8,7 +8,7 @@
 namespace percuss {
 
 /// From `start` on, for a duration T, the sum of two pulses p (1 - t/T) exp(-b t/T), each with its peak p and its decay
-/// b (Friedlander); zero before and after. With a negative phase the same formula goes on where b > 0.
+/// b (Friedlander); zero before and after. With a negative phase the same formula continues where b > 0.
 struct Pulse {
   double start = 0, duration = 0;
   double peaks[2] = {0, 0}, decays[2] = {0, 0};

@@ -18,7 +18,7 @@ struct PassStep : BlockStep<Block> {
   TetLaunch launch;
 };
 
-/// Chunks, of which a pass asks for no material.
+/// Chunks, of which a pass requests no material.
 struct ChunkList {
   Array<int> chunks;
 };
@@ -358,7 +358,7 @@ struct StressPass : PassStep<Block> {
         });
   }
 
-  /// Whether neither the motion of a chunk nor the averaged rates at its nodes ask for an evaluation.
+  /// Whether neither the motion of a chunk nor the averaged rates at its nodes request an evaluation.
   KOKKOS_FUNCTION bool leave_as_it_is(const TeamChunk& chunk, const ChunkRest& rest) const {
     const TetPasses& passes = launch.passes;
     const bool is_left =

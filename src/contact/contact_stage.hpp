@@ -85,23 +85,23 @@ class ContactStage {
   /// state.
   void redefine(Rows3<const double> x, Rows3<const double> v);
 
-  /// In a step, after apply(): nodes whose glue has failed, by their numbers, the same on all ranks. They let go in
-  /// break_ties().
+  /// In a step, after apply(): nodes whose glue has failed, by their numbers, the same on all ranks. break_ties()
+  /// releases them.
   void let_go(const std::vector<std::int64_t>& nodes);
 
   /// Numbers of the tied nodes that this rank owns, ascending.
   std::vector<std::int64_t> list_tied_nodes() const;
 
-  /// After a step, with x and v of the state: ties whose failure it brought let go, and their surfaces may touch from
-  /// now on; of ties that grow, nodes that it brought into contact are tied. Returns whether any did. Collective.
+  /// After a step, with x and v of the state: ties that failed in it are released, and their surfaces may touch from
+  /// now on; ties that grow take the nodes that came into contact in it. Returns whether any did. Collective.
   bool break_ties(Rows3<const double> x, Rows3<const double> v);
 
-  /// After a step, with x and v of the state: every so many steps, edges that have become sharp join the edges that may
-  /// touch others, and those that have become smooth again leave them. Collective.
+  /// After a step, with x and v of the state: periodically, edges that have become sharp join the edges that may touch
+  /// others, and those that have become smooth again leave them. Collective.
   void watch_folds(Rows3<const double> x, Rows3<const double> v, long step);
 
-  /// With x and v of the state, now and then and at the end of a run: what lies inside another body without contact is
-  /// a warning, once. Collective.
+  /// With x and v of the state, periodically and at the end of a run: warns once of what lies inside another body
+  /// without contact. Collective.
   void watch_depth(Rows3<const double> x, Rows3<const double> v, double time);
 
   /// As watch_depth(), for sharp edges alone and more often: at intervals that grow with the cost of the last check.

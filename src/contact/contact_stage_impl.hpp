@@ -132,7 +132,7 @@ struct ContactStage::Impl {
   std::unique_ptr<ContactFinder> finder;
   ContactForces forces;
   Enforcer enforcer;
-  std::optional<NodeAreas> areas;  // of the surface as it is; none: not asked for since it was redefined
+  std::optional<NodeAreas> areas;  // of the surface as it is; none: not requested since it was redefined
   ContactHistory history;
   std::vector<std::string> start_notes;
   FlushTies flush;  // of the start

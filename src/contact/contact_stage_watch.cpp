@@ -51,7 +51,7 @@ void ContactStage::Impl::warn_of_missed(const std::optional<MissedContact>& foun
   missed.push_back({"missed_contact", describe_missed_contact(*found, mesh, find_user_id(found->node)), "", time});
 }
 
-/// What is known of the start, and when the next looks are due, so that a run that goes on warns of what one that never
+/// What is known of the start, and when the next checks are due, so that a restarted run warns of what one that never
 /// stopped warns of.
 void ContactStage::Impl::archive_watch(CheckpointArchive& archive) {
   archive.number("contact/overlap_at_start", overlap_at_start);

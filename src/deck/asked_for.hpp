@@ -1,5 +1,5 @@
 #pragma once
-// What a deck asks for, where several stages ask for it.
+// What a deck requests, where several stages request it.
 
 #include <algorithm>
 #include <array>

@@ -34,7 +34,7 @@ struct Rotation {
 struct MassScalingDeck {
   double step = 0;            // [time]
   double max_added = 0.05;    // share of a part's mass; more is refused at the start, and not added later
-  std::optional<long> every;  // steps between two looks during the run; none: at the start only
+  std::optional<long> every;  // steps between two checks during the run; none: at the start only
   Place place;
 };
 

@@ -17,16 +17,16 @@ constexpr double largest_step_growth = 1.1;
 /// A step is kept until the bound allows one that is longer by this share: a step that follows the bound up and down
 /// with every vibration is changed in phase with it, and feeds it energy.
 constexpr double least_step_growth = 0.02;
-/// So many steps before the end begin to share what is left.
+/// From this many steps before the end, the remaining time is divided equally.
 constexpr double landing_steps = 128;
-/// If at least so many steps remain, one extra step is added, so that none has to be longer than its bound.
+/// If at least this many steps remain, one extra step is added, so that none has to be longer than its bound.
 constexpr double steps_with_room = 8;
 
 /// A step, dt at most, from which the end is hit exactly. left: time to the end; last: the step before, 0 at first.
 ///
 /// What central differences conserve depends on the square of the step, so that a step cut in half would change the
 /// energy of the shortest waves: the last steps are equal, and short enough that the bound, which follows every
-/// vibration, does not ask for others.
+/// vibration, does not request others.
 double land(double left, double dt, double last) {
   const double count = std::ceil(left / dt * (1 - 1e-12));
   if (!(left > 0) || count > landing_steps) return dt;

@@ -168,7 +168,8 @@ void Erosion::count_holders(const State& state) {
   assemble_slots(ExecSpace(), model_.nodes_to_slots, slots, holders_);
 }
 
-/// Nodes that no element holds any more go on as particles or vanish. books: null: after a restart, nothing is booked.
+/// Nodes that no element holds any more continue as particles or vanish. books: null: after a restart, nothing is
+/// booked.
 void Erosion::sort_nodes(State& state, Bookkeeper* books) {
   const bool removes = deck_.erosion.free_nodes == ErosionDeck::FreeNodes::remove;
   if (removes) own_masses(model_, state);

@@ -1,6 +1,6 @@
 #pragma once
 // Elements with a corner that is turned inside out while their volume is still positive, which one point does not see:
-// the shape is past what the element can stand for, and the run goes on. Counted where fields are written and at the
+// the shape is past what the element can stand for, and the run continues. Counted where fields are written and at the
 // end.
 
 #include <cstdint>

@@ -173,14 +173,14 @@ void Stepper::advance(State& state, StepWishes wishes) {
   choose_step(state);
 }
 
-/// Whether nothing comes between the velocities of the nodes and their motion, and nothing asks for their forces, or
+/// Whether nothing comes between the velocities of the nodes and their motion, and nothing requests their forces, or
 /// for their places before they move: only elements, springs and gravity act on them.
 bool Stepper::are_nodes_free() const {
   return !contact_.is_active() &&
          std::none_of(order_.begin(), order_.end(), [](const Action* action) { return action->comes_between(); });
 }
 
-/// Velocities at n+1/2 as they are without contact, conditions included. Contact asks for the largest component: the
+/// Velocities at n+1/2 as they are without contact, conditions included. Contact requests the largest component: the
 /// nodal update measures what it predicts, what changes velocities after it is measured again.
 void Stepper::predict_motion(State& state, const StepTimes& times) {
   const Phase phase("percuss::integrate", clocks_.integrate);
@@ -230,7 +230,7 @@ void Stepper::integrate_free_motion(State& state, const StepTimes& times) {
 void Stepper::integrate_spins(State& state, const StepTimes& times) {
   if (!model_.has_rotations) return;
   const Phase phase("percuss::integrate_spins", clocks_.integrate);
-  // Nodes of solids alone have no rotation. By the inertia of the start: nodes that erosion leaves empty go on.
+  // Nodes of solids alone have no rotation. By the inertia of the start: nodes that erosion leaves empty move on.
   predict_velocities(space_, {model_.nodes_to_slots, state.slot_moment, state.inverse_inertia, {}, model_.inertia},
                      times.dt_mean, state.moment, state.w_before, state.w);
   if (state.spin_tensors.any()) predict_tensor_spins(space_, state.spin_inertia(), state.turning_nodes(times.dt));
@@ -317,7 +317,7 @@ void Stepper::scale_masses(State& state) {
 }
 
 /// (1.3) to (1.5): all forces at n+1, in the slots. What other ranks wait for comes first, what needs no other rank
-/// goes on meanwhile.
+/// continues meanwhile.
 void Stepper::compute_forces(State& state, double dt) {
   {
     const Phase phase("percuss::internal_force", clocks_.internal_force);

@@ -34,7 +34,7 @@ struct StepNotice {
   double contact_rate = 0;             // ContactReport::rate
   double growth = 0;                   // largest of StepWatch::growth
   std::int64_t died = 0;               // 1: an element has died
-  std::int64_t wants_mass = 0;         // 1: an element is to get mass
+  std::int64_t wants_mass = 0;         // 1: an element needs mass scaling
 
   void merge(const StepNotice& other);
 };
@@ -102,7 +102,7 @@ class Stepper {
   const ContactReport& contact_report() const { return report_; }
   /// Before the first step: energy in the springs of contact that a relaxation has left.
   void note_stored(double energy) { report_.stored = energy; }
-  /// Bodies that ask for a shorter next step than elements and springs do; null: none.
+  /// Bodies that request a shorter next step than elements and springs do; null: none.
   const Approach* find_limiting_approach(const State& state) const;
 
   /// The bound of the elements at their last step without damping in proportion to stiffness; 0 where that does not
@@ -152,7 +152,7 @@ class Stepper {
   std::optional<HaloSwap> moment_halo_;  // only with shells
   MergeReduction<StepNotice> reduction_;
   StepWishes agreed_;
-  std::unique_ptr<GlobalStep> global_;  // only if the deck asks for it
+  std::unique_ptr<GlobalStep> global_;  // only if the deck requests it
   Actions actions_;
   std::vector<Action*> order_;  // theirs, and what acts first
   ElementStage elements_;

@@ -67,7 +67,7 @@ TEST(Team, IsLeftByThoseWhoHaveHadNoWorkForLong) {
   team.meet(all);
   expect_team(world, team, all);
   for (int i = 1; i < Team::patience; ++i) team.meet(first);
-  expect_team(world, team, all);  // all had work since the last look
+  expect_team(world, team, all);  // all had work since the last check
   for (int i = 0; i < Team::patience; ++i) team.meet(first);
   expect_team(world, team, first);
   EXPECT_EQ(team.formations(), world.size() == 1 ? 1 : 2);

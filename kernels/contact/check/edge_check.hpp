@@ -202,9 +202,9 @@ KOKKOS_INLINE_FUNCTION double measure_line_gap(const Crossing& start, const Poin
   return dot(start.normal, normal) < 0 ? -start.gap : start.gap;
 }
 
-/// Whether a pair of solids that is too deep at n to be new has come there in the last step, where no check saw it
-/// going: a step before, if it came as it goes on, it was less deep, and either beside an end or not crossed. So it is
-/// where a node passes what it holds on to the edge behind it. crossed: how far it crosses before it touches.
+/// Whether a pair of solids that is too deep for a new contact entered during the last step, unseen by its check:
+/// extrapolated one step back it was shallower, and beside an end or not crossed. This happens where an edge slides
+/// from one neighbour to the next. crossed: how far it crosses before it touches.
 KOKKOS_INLINE_FUNCTION bool has_just_crossed(const MovingPair& pair, const EdgeTouch& touch, double deepest,
                                              double crossed) {
   if (touch.offset > 0 || touch.gap_start < -contact_limits::history_depth * touch.size) return false;
@@ -213,7 +213,7 @@ KOKKOS_INLINE_FUNCTION bool has_just_crossed(const MovingPair& pair, const EdgeT
   return before.crosses && gap >= -deepest && (gap >= -crossed || !is_inside(before, contact_limits::end_band));
 }
 
-/// Whether a crossing came to a place on an edge from beyond an end at which one beam goes on. before: a step ago.
+/// Whether a crossing came to a place on an edge from beyond an end at which one beam continues. before: a step ago.
 KOKKOS_INLINE_FUNCTION bool has_passed_joint(const EdgeSurface& surface, int edge, double before) {
   constexpr double band = contact_limits::end_band;
   return (before < band && find_next_node(surface, edge, 0) >= 0) ||

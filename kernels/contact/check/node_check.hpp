@@ -177,8 +177,8 @@ KOKKOS_INLINE_FUNCTION void accept_touches(const MovingSurface& moving, const Kn
 /// those that cannot change what the first hold; at last these, if others are in contact too.
 enum class Turn { remembered, others, skipped, all };
 
-/// Whether the faces that are found, which pushed the node in the last step, hold it before all others whatever these
-/// come to: no key is less than theirs, and each of them is obeyed.
+/// Whether the faces that are found, which pushed the node in the last step, take precedence over all other faces,
+/// whatever those yield: no key is less than theirs, and each of them is obeyed.
 KOKKOS_INLINE_FUNCTION bool are_first(const TouchList& found, const NodeTouches& accepted) {
   if (found.count != accepted.count) return false;
   int sum = 0;

@@ -240,7 +240,7 @@ KOKKOS_INLINE_FUNCTION bool starts_in_front(const FacePack& faces, int lane, dou
 }
 
 /// Whether the node may have gone through the face in the last step: it is behind its plane now and was clearly in
-/// front, if it came as it goes on.
+/// front, if its motion was the same.
 KOKKOS_INLINE_FUNCTION bool may_have_passed(const FacePack& faces, int lane, double size) {
   if (!(faces.range.least[lane] < 0)) return false;
   const Point3 normal{faces.normal[0][lane], faces.normal[1][lane], faces.normal[2][lane]};

@@ -17,7 +17,7 @@ constexpr double flat_on_itself = 0.7;
 /// How deep a node is behind a face.
 struct FaceDepth {
   bool known = false;   // whether the node projects on the face from nearby
-  bool opposed = true;  // whether the node looks against the face: contact can hold it there
+  bool opposed = true;  // whether the node can face this face: contact can hold it there
   bool flush = false;   // the node lies in its plane
   double distance = 0;  // from the face; negative: not looked at
   double depth = 0;     // negative in front

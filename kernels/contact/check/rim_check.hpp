@@ -22,10 +22,10 @@ inline constexpr double history_rim_front = 0.05;
 /// Beyond the ends of a rim by this share of it it still pushes, with history by twice as much.
 inline constexpr double rim_end_band = 0.02;
 /// Beyond its ends a beam is round, as far as this cosine between its axis and the way from there: the next beam of a
-/// line goes on, or lies in between. A free end is round all over for another free end.
+/// line continues, or lies in between. A free end is round all over for another free end.
 inline constexpr double round_end = 0.7071;
-/// Where one beam goes on, the two are one round bar: the joint pushes square to both, or from outside their bend, but
-/// for this sine.
+/// Where one beam continues, the two are one round bar: the joint pushes square to both, or from outside their bend,
+/// but for this sine.
 inline constexpr double joint_reach = 0.1;
 
 }  // namespace contact_limits
@@ -60,7 +60,7 @@ struct EndBeforeRim {
   RimPoint from, to;     // at n and at the end of the step
   Point3 along{};        // from the end to the other end of its edge, at the end of the step
   Point3 rim_along{};    // from one end of the rim to the other, at the end of the step
-  Point3 next{};         // from the end along the only beam that goes on there, at the end of the step; zero: none
+  Point3 next{};         // from the end along the only beam that continues there, at the end of the step; zero: none
   Point3 rim_next{};     // likewise from the end of the rim that is the closest point
   double offset = 0;     // that both keep by thickness
   double cushion = 0;    // find_beam_cushion()
@@ -97,8 +97,8 @@ KOKKOS_INLINE_FUNCTION bool is_before_rim(const EndBeforeRim& e, const EdgeFaces
          dot(push, edge.inward[1]) >= -slack;
 }
 
-/// Turns a push away from a joint, of which `on` goes on, so that it does not push into `on`; false if it does by more
-/// than a little.
+/// Turns a push away from a joint, of which `on` continues, so that it does not push into `on`; false if it does by
+/// more than a little.
 KOKKOS_INLINE_FUNCTION bool turn_from(const Point3& on, Point3& push) {
   const double square = dot(on, on), along = dot(push, on);
   if (!(along < 0)) return true;
@@ -186,7 +186,7 @@ KOKKOS_INLINE_FUNCTION bool is_near_rim(const EndBeforeRim& e, double shorter, b
   return may_reach(e, contact_limits::history_row_gap * shorter + e.offset);
 }
 
-/// From an end of an edge along the only beam that goes on there, at the end of the step; zero: none does.
+/// From an end of an edge along the only beam that continues there, at the end of the step; zero: none does.
 KOKKOS_INLINE_FUNCTION Point3 find_next_along(const EdgeSurface& surface, const SurfaceMotion& motion, int edge,
                                               int end) {
   const int next = find_next_node(surface, edge, end), own = surface.ends(edge, end);

@@ -11,10 +11,10 @@ struct Touch {
   int face;
   int record;       // history slot of the node (0 to 2) that this contact continues; -1: new
   bool same_face;   // the record is of this very face
-  bool opposed;     // whether some face of the node looks against this one
+  bool opposed;     // whether the normal of some face of the node opposes this one
   bool beside;      // behind the face since the start, but beside it then: it came in through another face
   bool is_kept;     // the predicted place is beside the face that pushed the node: seen where it was at n
-  bool owes_start;  // gap_start is still to be found: nothing but the row of an obeyed touch asks for it
+  bool owes_start;  // gap_start is still to be found: nothing but the row of an obeyed touch requests it
   float offset;     // distance that the node keeps from the face of the mesh by thickness, for limits
   double weight[4];
   Point3 normal;     // push direction of the node: how the gap changes with its place

@@ -111,7 +111,7 @@ KOKKOS_INLINE_FUNCTION Point3 find_owed_slip(const ContactRow& row, const Rows3<
          (row.slide[1] + dot(moved, row.tangent[1])) * row.tangent[1];
 }
 
-/// What a record keeps of a row besides impulses. A spring is pressed by what its row lets go of.
+/// What a record keeps of a row besides impulses. A spring is compressed by the overlap that its row releases.
 struct KeptValues {
   Point3 slip{};
   double reference = 0, held = 0, to_push = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Overlap at the start that is pushed out (contact.overlap: push_out): how much of it a row lets go of after a step.
+// Overlap at the start that is pushed out (contact.overlap: push_out): how much of it a row releases after a step.
 //
 // A row is held at its reference, as accepted overlap is, and the reference shrinks a step by a thousandth of the
 // overlap, by contact_limits::recovery of h at most. Bodies at rest keep the energy of this speed u, so a small overlap

@@ -71,8 +71,8 @@ class Island {
   }
 
   /// Meets the rows until none changes by more than `enough` [velocity], or until sweeps no longer change what the rows
-  /// see of the bodies: sticking rows of one body may ask for ways that no motion of the body has, and push against
-  /// each other without end.
+  /// see of the bodies: sticking rows of one body may demand displacements that no motion of the body has, and push
+  /// against each other without end.
   RigidReport solve(double enough) {
     constexpr int max_sweeps = 1000, plain_sweeps = 8, accelerated_sweeps = 300;  // after these plain ones again
     RigidReport report;

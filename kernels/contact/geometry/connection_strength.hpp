@@ -1,5 +1,5 @@
 #pragma once
-// When a tie or a weld lets go.
+// Failure criterion of ties and welds.
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 
 namespace percuss {
 
-/// It lets go where (pull / normal)^m + (shear / shear strength)^n reaches 1: both forces, or both stresses.
+/// A tie or a weld fails where (pull / normal)^m + (shear / shear strength)^n reaches 1: both forces, or both stresses.
 struct ConnectionStrength {
   double normal = 0, shear = 0;  // 0: none
   double normal_exponent = 2, shear_exponent = 2;

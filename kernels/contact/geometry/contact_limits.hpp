@@ -19,7 +19,7 @@ inline constexpr double lift_depth = 5e-3;
 inline constexpr double history_depth = 0.25;
 /// A face that the node does not reach in the step still gets a row up to this distance: it may be pushed there.
 inline constexpr double row_gap = 0.02;
-/// ... and by so many ways of the step more.
+/// ... plus this many times the relative displacement of the step.
 inline constexpr double row_gap_ways = 2;
 /// As row_gap, for a face that pushed the node in the last step. The predicted motion continues that of the last step,
 /// and may be wrong.
@@ -38,7 +38,7 @@ inline constexpr double overlap = 1e-6;
 /// slow impacts need.
 inline constexpr double spring_cushion = 0.05;
 
-/// A node can hit a face only if one of the node's own faces looks against it, by this cosine.
+/// A node can hit a face only if the normal of one of the node's own faces opposes it: the cosine is at most this.
 inline constexpr double opposing = -0.2;
 /// Faces of one smooth surface: within this cosine vertex normals are averaged ...
 inline constexpr double smooth = 0.9;
@@ -55,17 +55,17 @@ inline constexpr double blunt = 0.939692620;
 /// Shells are curved where faces meet with less than this one (half a degree: flat meshes have round-off). Faces of
 /// solids that meet less concavely than this sine, of the same angle, are flat or convex.
 inline constexpr double curved = 0.999961923, concave_sine = 8.72654e-3;
-/// A feature edge so many times as long as a mesh line of a solid of another part may pass between the nodes of that
+/// A feature edge this many times as long as a mesh line of a solid of another part may pass between the nodes of that
 /// ...
 inline constexpr double passing_edges = 1.5;
-/// ... and so many times as long between those of a curved shell, whose nodes keep half a thickness.
+/// ... and this many times as long between those of a curved shell, whose nodes keep half a thickness.
 inline constexpr double passing_edges_of_shells = 3;
 /// Edges that cross at a lesser angle than with this sine are nearly parallel: their nodes meet faces.
 inline constexpr double least_sine = 0.05;
 /// Share of an edge at each end that is left to nodes and faces.
 inline constexpr double end_band = 1e-3;
-/// A contact with history is kept past an end by this share of the edge: in a valley of bent edges neither pair of the
-/// one line may go before the other holds ...
+/// A contact with history is kept past an end by this share of the edge: in a concave corner of bent edges neither pair
+/// may be released before the other is active ...
 inline constexpr double history_end_band = 3e-2;
 /// ... and by this share of the predicted depth. Where edges of one line of elements have bent into a valley, the place
 /// of a body that presses into it leaves both; the tangent of half the bend is what it leaves them by.

@@ -44,7 +44,7 @@ struct EnergyUnit {
   }
 };
 
-/// What the rows ask for before the iteration.
+/// What the rows request before the iteration.
 struct PredictedGaps {
   double deepest = 0;        // largest penetration to be closed, but for springs [length]
   double farthest_tied = 0;  // largest distance of a tied node from its place, by component [length]

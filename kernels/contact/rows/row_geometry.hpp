@@ -10,7 +10,7 @@ KOKKOS_INLINE_FUNCTION Point3 find_abs(const Point3& c) {
   return {c.x < 0 ? -c.x : c.x, c.y < 0 ? -c.y : c.y, c.z < 0 ? -c.z : c.z};
 }
 
-/// A row that nothing can move asks for nothing.
+/// A row that nothing can move requests nothing.
 KOKKOS_INLINE_FUNCTION void hold_row(ContactRow& row) {
   row.is_held = true;
   row.impulse = RowImpulse{};
@@ -22,7 +22,7 @@ KOKKOS_INLINE_FUNCTION void hold_row(ContactRow& row) {
 }
 
 /// D of the directions; free: D of the push if no direction of its nodes were held. A row whose nodes are all held
-/// cannot be moved and asks for nothing. Nor does one whose nodes are free only across the push, but for round-off of
+/// cannot be moved and requests nothing. Nor does one whose nodes are free only across the push, but for round-off of
 /// its direction: to close a gap they would have to move beyond all bounds.
 KOKKOS_INLINE_FUNCTION void set_stiffness(ContactRow& row, const double stiffness[3], double free) {
   const auto choose = [](double d) { return d > 0 ? d : 1; };
@@ -45,7 +45,7 @@ KOKKOS_INLINE_FUNCTION void set_target(ContactRow& row) {
   row.target = recovered < floor ? recovered : floor;
 }
 
-/// Thickness turns with the faces: it comes nearer by at most so many times what nodes do.
+/// Thickness rotates with the faces: it comes nearer by at most this many times what nodes do.
 inline constexpr double longest_turn = 3;
 
 /// The most by which the gap of a touch can change in the step: no point of either side moves farther relative to the
@@ -112,9 +112,9 @@ struct SpringChoice {
   }
 };
 
-/// The discrete gradient of the gap (Gonzalez, J. Nonlinear Sci. 6, 1996): turns the push direction of a contact that
-/// goes on, along the way that the two sides slide, so that the motion that the check saw changes the gap by what it
-/// was seen to change by. A push then gives no energy where the gap stays as it is, however normals turn and bodies
+/// The discrete gradient of the gap (Gonzalez, J. Nonlinear Sci. 6, 1996): turns the push direction of a persisting
+/// contact, along the direction in which the two sides slide, so that the predicted motion gives exactly the gap change
+/// that the check measured. A push then gives no energy where the gap stays as it is, however normals turn and bodies
 /// dent. change: of the gap; least: slide of which little is known [length].
 KOKKOS_INLINE_FUNCTION Point3 find_discrete_gradient(const Point3& normal, const Point3& way, double change,
                                                      double least) {
@@ -127,8 +127,8 @@ KOKKOS_INLINE_FUNCTION Point3 find_discrete_gradient(const Point3& normal, const
   return normalize(normal + (steep > most ? turn * std::sqrt(most / steep) : turn) * slide);
 }
 
-/// Depth is given back slowly as the row itself measures it: from where its own gap was at n, whatever the geometry at
-/// n says. What the two differ by has cost nothing, and would be recovered under load.
+/// Penetration is recovered slowly, as the row itself measures it: from its own gap at n, whatever the geometry at n
+/// says. No work was done against the difference of the two, and it would be recovered under load.
 KOKKOS_INLINE_FUNCTION void limit_recovery(const RowWays& ways, ContactRow& row) {
   const double recovered = contact_limits::recovery * row.size;
   if (row.gap_start >= recovered) return;

@@ -108,7 +108,7 @@ KOKKOS_FORCEINLINE_FUNCTION void limit_friction(const Packed& friction, Packed (
   for (int d = 1; d < 3; ++d) p[d] = select(limit > Packed(0), p[d] * factor, Packed(0));
 }
 
-/// What a tie asks for without sign and limit, and what any other row may have.
+/// What a tie requests without sign and limit, and what any other row may have.
 KOKKOS_FORCEINLINE_FUNCTION Packed choose_tied(const RowPack& pack, const Packed& of_tie, const Packed& of_others) {
   return pack.ties == 0 ? of_others : select(load_pack(pack.tied) > Packed(0), of_tie, of_others);
 }
@@ -224,7 +224,7 @@ KOKKOS_INLINE_FUNCTION void set_frozen(RowPack& pack, int lane, const ContactRow
   set_lane(pack.previous, lane, {push, 0, 0});
 }
 
-/// What a row asks for and begins with. In: RowPack::tilted.
+/// What a row requests and begins with. In: RowPack::tilted.
 KOKKOS_INLINE_FUNCTION void set_state(RowPack& pack, int lane, const ContactRow& row) {
   if (is_frozen(row)) return set_frozen(pack, lane, row);
   if (pack.tilted != 0) set_lane(pack.gap_gradient, lane, row.gap_gradient);

@@ -68,7 +68,7 @@ KOKKOS_INLINE_FUNCTION void fill_tie_row(const TieGeometry& tie, const RowInputs
   set_tie_state(turn_tie(tie, start.face), apart, inputs.impulse_scale * last, row);
 }
 
-/// D of a tie: one for all directions. A direction in which nothing can be moved asks for nothing; what is missing
+/// D of a tie: one for all directions. A direction in which nothing can be moved requests nothing; what is missing
 /// there is what conditions do to the tie.
 KOKKOS_INLINE_FUNCTION void set_tie_stiffness(ContactRow& row, const double stiffness[3]) {
   double largest = 0;
@@ -107,7 +107,7 @@ KOKKOS_INLINE_FUNCTION Point3 find_turn(const FacePoints& from, const FacePoints
 }
 
 /// The row of a rotation whose places are set. last: P of the last step. A node without a rotation, or of a rigid body,
-/// asks for nothing.
+/// requests nothing.
 KOKKOS_INLINE_FUNCTION TurningRow fill_turning_row(const TieGeometry& tie, const RowInputs& inputs, const RowNodes& at,
                                                    const RowTouch& touch, const Point3& last, ContactRow& row) {
   start_tie_row(tie, touch, row);

@@ -8,7 +8,7 @@
 namespace percuss {
 namespace {
 
-/// A list is to serve so many steps as fast as this one: fewer lists against more pairs in them.
+/// A list is meant to serve this many steps as fast as this one: fewer lists against more pairs in them.
 constexpr double steps_ahead = 64;
 
 /// Round-off of the ways that are added up to a list's reach, as a share, and of places, of their coordinates: a list

@@ -209,7 +209,7 @@ bool is_usable(const NumberedOrder& of, std::size_t count) {
   return of.numbers.size() == count && of.order.size() == count;
 }
 
-/// Puts points and boxes in order, each anew where it has none that goes on. Returns whether both went on.
+/// Puts points and boxes in order, each anew where it has none that continues. Returns whether both continued.
 bool order_blocks(const PointQuery& query, BlockScratch& scratch) {
   const std::size_t num_points = query.point_names.extent(0), num_boxes = query.box_names.extent(0);
   const bool points_go_on = !scratch.is_worn && is_usable(scratch.point_order, num_points);

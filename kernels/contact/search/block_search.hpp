@@ -55,7 +55,7 @@ struct BlockScratch {
 };
 
 /// Tells what the points and boxes of the next search are, by numbers that they have in every search, in the order of
-/// its query, ascending. Where few are others, the order goes on instead of being made anew.
+/// its query, ascending. Where few are others, the order continues instead of being made anew.
 void identify(const std::vector<std::int64_t>& points, const std::vector<std::int64_t>& boxes, BlockScratch& scratch);
 
 /// find_hits() of pair_search.hpp by blocks.

@@ -173,8 +173,8 @@ PERCUSS_FORCE_INLINE FaceOf<T> find_end(const RelativeFaceOf<T>& face) {
   return end;
 }
 
-/// Whether some face of the node looks against the face: by a cosine between their normals of at most `most`. A node
-/// without faces, a free particle, looks everywhere.
+/// Whether the normal of some face of the node opposes that of the face: the cosine between them is at most `most`. A
+/// node without faces, a free particle, looks everywhere.
 KOKKOS_INLINE_FUNCTION bool has_opposed_face(const ContactSurface& surface, const FaceState& faces, int node, int face,
                                              double most) {
   const Point3 normal = load_row(faces.normal, face);
@@ -199,7 +199,7 @@ KOKKOS_INLINE_FUNCTION Point3 find_outlook(const ContactSurface& surface, const 
   return (1.0 / (last - first)) * sum;
 }
 
-/// Whether a node looks against a face: some face of its own does, or the node of shells looks out on it.
+/// Whether a node can face a face: the normal of one of its faces opposes it, or it is a shell node on its outer side.
 KOKKOS_INLINE_FUNCTION bool looks_against(const ContactSurface& surface, const SurfaceMotion& motion,
                                           const FaceState& faces, int node, int face) {
   if (has_opposed_face(surface, faces, node, face, contact_limits::opposing)) return true;
@@ -207,7 +207,7 @@ KOKKOS_INLINE_FUNCTION bool looks_against(const ContactSurface& surface, const S
          dot(find_outlook(surface, motion, node), load_row(faces.normal, face)) <= contact_limits::opposing;
 }
 
-/// Vertex normals of a face: at each corner that is asked for the mean of the faces of one smooth surface, as a unit
+/// Vertex normals of a face: at each corner that is requested the mean of the faces of one smooth surface, as a unit
 /// vector.
 template <class Asked>
 KOKKOS_INLINE_FUNCTION CornerDirections find_vertex_normals(const ContactSurface& surface, const FaceState& faces,

@@ -3,8 +3,8 @@
 //
 // At a corner the normals of the faces around it on the same side of the surface are added up: those of one smooth
 // surface, and those that fall away from the face, so that the moved faces meet at a convex edge too. Moved faces of a
-// concave edge go through one another, and a node there is held by both. Where a shell ends they go on beyond it by as
-// much as they are moved, so that edges that meet tip to tip do not slip past one another.
+// concave edge go through one another, and a node there is held by both. Where a shell ends they continue beyond it by
+// as much as they are moved, so that edges that meet tip to tip do not slip past one another.
 
 #include "kernels/contact/surface/contact_state.hpp"
 

@@ -66,7 +66,7 @@ struct RateTableFoam {
     return {0, 0.5 * (compression.rates > 1 ? steepest + youngs_modulus : larger(steepest, youngs_modulus))};
   }
 
-  /// Curve k, positive in compression; its first and last slope go on.
+  /// Curve k, positive in compression; its first and last slope continue.
   template <class T>
   KOKKOS_INLINE_FUNCTION ValueAndSlope<T> find_line(int k, const T& strain) const {
     const int first = compression.first[k], last = compression.first[k + 1] - 1;

@@ -10,7 +10,7 @@ inline constexpr int most_user_lengths = 12;
 struct UserElement {
   double id = 0;                           // the user's
   double length = 0;                       // edge of a cube of its volume at the start
-  double lengths[most_user_lengths] = {};  // characteristic lengths of its own, where the law asks for them
+  double lengths[most_user_lengths] = {};  // characteristic lengths of its own, where the law requests them
   double place[3] = {};                    // of its middle at the start
 };
 

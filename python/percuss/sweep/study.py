@@ -26,7 +26,7 @@ from .machine import count_cores, find_free_memory, find_memory
 DIGITS = 12  # of the digest in the name of a folder
 SPARE = 1.2  # free memory over the estimate of a run
 ELEMENTS_A_THREAD = 1000  # as a run chooses its threads
-PAUSE = 0.02  # seconds between two looks at the runs
+PAUSE = 0.02  # seconds between two checks of the runs
 PATIENCE = 60  # seconds that interrupted runs have for their checkpoint
 READ_AT_ONCE = 1 << 20
 

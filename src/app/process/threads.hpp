@@ -24,7 +24,7 @@ int count_machine_cores();
 void choose_threads(int ranks_here, const std::function<int(int available)>& choose);
 
 /// Throws SystemError if the stack is too small for a run, or if the threads that choose_threads() or OMP_NUM_THREADS
-/// asks for cannot be started: libraries end the program without a word then. Before Kokkos starts.
+/// requests cannot be started: libraries end the program without a word then. Before Kokkos starts.
 void check_threads();
 
 }  // namespace percuss

@@ -40,7 +40,7 @@ struct SceneReport {
   std::vector<std::string> contact_notes = {};  // what contact says of the start
   std::vector<std::string> joints = {};         // parts that share nodes, in words
   std::vector<FieldOutputSize> field_outputs = {};
-  std::vector<HistoryColumn> columns = {};  // of history.csv; empty: the deck asks for none
+  std::vector<HistoryColumn> columns = {};  // of history.csv; empty: the deck requests none
 };
 
 /// Report of the mesh: parts, counts and extent, of all ranks together. Collective. Throws MpiError.

@@ -114,7 +114,7 @@ std::string find_slope(const CheckedScene& scene, const Neighbours& neighbours, 
   return "";
 }
 
-/// Whether the vibrations of a part go on: neither its material nor its control of bending damps them.
+/// Whether the vibrations of a part continue: neither its material nor its control of bending damps them.
 bool rings(const Deck& deck, std::size_t part) {
   const ElementDeck elements = deck.find_elements(part);
   return !deck.parts[part].rigid && elements.stiffness_damping == 0 &&

@@ -79,7 +79,7 @@ std::vector<Warning> check_idle_mass_scaling(const CheckedScene& scene) {
   constexpr double round_off = 1e-9;
   const Deck& deck = scene.deck;
   std::vector<Warning> warnings;
-  // Elements that were given mass have just the step asked for.
+  // Elements that were given mass have just the step requested.
   const auto check = [&](const MassScalingDeck& scaling, const std::string& path, auto is_scaled) {
     double bound = std::numeric_limits<double>::infinity();
     for (std::size_t p = 0; p < deck.parts.size(); ++p)

@@ -18,10 +18,10 @@ namespace percuss {
 /// shortest edge of their contact faces. docs/stability.md has the errors of other shares.
 constexpr double approach_share = 0.5;
 
-/// No step is longer than so many times the one before.
+/// No step is longer than this many times the one before.
 constexpr double most_step_growth = 1.2;
 
-/// A bound of the next step, and the two bodies, or the body and the wall, that ask for it.
+/// A bound of the next step, and the two bodies, or the body and the wall, that request it.
 struct Approach {
   double step = std::numeric_limits<double>::infinity();  // longest; infinity: nothing limits it
   double travel_step = 0;                                 // in which the share is travelled; step less the way there

@@ -54,7 +54,7 @@ class NearPairs {
   /// Pairs that can come near before the next search, where these are listed.
   const CandidateList& reachable_pairs(const CandidateList& all) const { return reachable_.choose(all); }
 
-  /// The pairs to check, once what is asked for is listed, and those of which that needs faces and history.
+  /// The pairs to check, once what is requested is listed, and those of which that needs faces and history.
   const CandidateList& checked_pairs(const CandidateList& all) const { return near_.choose(reachable_pairs(all)); }
   const CandidateList& read_pairs(const CandidateList& all) const {
     return is_asked() ? reachable_pairs(all) : checked_pairs(all);

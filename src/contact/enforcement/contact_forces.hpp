@@ -1,5 +1,5 @@
 #pragma once
-// Forces of contact and of walls that the deck asks for, booked step by step until they are taken.
+// Forces of contact and of walls that the deck requests, booked step by step until they are taken.
 
 #include <optional>
 #include <vector>

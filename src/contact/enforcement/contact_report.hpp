@@ -52,7 +52,7 @@ struct ContactReport {
   std::int64_t giving_node = -1;      // number of the node whose push gave most energy; -1: none gave any
   double held_apart = 0;              // farthest that conditions hold a tied node from its place / face edge
   std::int64_t held_apart_node = -1;  // number of that node
-  std::int64_t failed_ties = 0;       // tied nodes that have let go since the start, those of this step among them
+  std::int64_t failed_ties = 0;       // tied nodes released since the start, those of this step among them
   WallSums walls;                     // what walls gave the nodes of this rank, and of no other
   std::vector<Wrench> bodies;         // what each rigid body got, of all ranks; empty: nothing
 };

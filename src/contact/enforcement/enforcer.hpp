@@ -107,7 +107,7 @@ class Enforcer {
   RowSumMemory sums_;
   ContactForces& forces_;
   Array<const double> spring_;       // [mesh nodes] of owned contact nodes; empty without penalty
-  std::vector<PairWork> pair_work_;  // empty: not asked for
+  std::vector<PairWork> pair_work_;  // empty: not requested
   // Mesh nodes that the last step may have pushed, copies of others' among them, from set_contact_velocities() on, and
   // their predicted velocities until restore_predicted_velocities().
   int num_pushed_ = 0;

@@ -116,7 +116,7 @@ void MovingWalls::start_step(const WorkSpace& space, const WallPairs& walls, con
 }
 
 /// Rows that contradict each other push without bound. A wall with a mass then leaves faster than an elastic impact
-/// allows: on nodes that go on whatever it does, it turns from w to 2 a - w.
+/// allows: on nodes whose motion it cannot change, it turns from w to 2 a - w.
 void MovingWalls::refuse_throw(std::size_t i, double after, const Rows3<const double>& v_before) const {
   constexpr double margin = 1.1;
   const double before = motions_[i].speed, alone = std::max(std::abs(before), std::abs(2 * speeds_[i] - before));

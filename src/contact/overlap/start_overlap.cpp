@@ -302,7 +302,7 @@ StartOverlap seed_born(const OverlapSearch& search, const SurfaceMotion& motion,
     if (p.depth <= contact_limits::overlap * p.size || !has(born.faces, p.face)) continue;
     const auto n = static_cast<std::size_t>(p.node);
     const int record = find_free_record(records.face, p);
-    if (record < 0) continue;  // a contact of another pair that goes on
+    if (record < 0) continue;  // a contact of another pair that continues
     const bool held = p.depth <= p.limit;
     note(found, search.share.nodes.numbers[n], {search.share.nodes.parts[n], p.part, 1, p.depth}, held);
     if (held) records.hold(record, p.face, p.depth);

@@ -65,7 +65,7 @@ StartOverlap seed_born(const OverlapSearch& search, const SurfaceMotion& motion,
 /// which is to be pushed out where the history says so. Collective.
 StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, ContactHistory& history);
 
-/// The surface before and after erosion, or ties that let go, have redefined it.
+/// The surface before and after it was redefined by erosion or released ties.
 struct SurfaceChange {
   const HistoryOwners& before;
   const HistoryOwners& now;
@@ -73,7 +73,7 @@ struct SurfaceChange {
   const std::vector<std::int64_t>& released_faces;  // numbers of this rank's faces that were
 };
 
-/// The edges before and after ties have let go, or others have folded.
+/// The edges before and after ties were released, or others have folded.
 struct EdgeChange {
   const std::vector<EdgeTopology>& before;
   const std::vector<EdgeTopology>& now;

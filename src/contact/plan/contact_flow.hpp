@@ -22,7 +22,7 @@ class Flow {
     if (from != to) items_[{from, to}] += items;
   }
 
-  /// A message from every sender to every receiver, of so many bytes an item, so many times ...
+  /// A message from every sender to every receiver, of a size in bytes an item, a number of times ...
   void send(double bytes, PlannedTraffic ContactRankPlan::*phase, ContactPlan& plan, double times = 1) const {
     for (const auto& [pair, items] : items_) count(pair.first, static_cast<double>(items) * bytes, times, plan, phase);
   }

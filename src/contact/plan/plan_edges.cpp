@@ -103,7 +103,7 @@ ContactPlanner::Named ContactPlanner::name_edges(const Places& places, const Pai
   return named;
 }
 
-/// What the check of some pairs reads and sends back, so many times a step.
+/// What the check of some pairs reads and sends back, a number of times a step.
 void ContactPlanner::send_edge_check(const Places& places, const PairsOfEdges& pairs, double times,
                                      ContactPlan& plan) const {
   const auto step = &ContactRankPlan::step;

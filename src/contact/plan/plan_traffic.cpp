@@ -121,8 +121,8 @@ void ContactPlanner::plan_telling(const Places& places, ContactPlan& plan) const
   }
 }
 
-/// What a rank is sent for the check of some pairs, so many times a step: (5.6) and (5.7). lists: how often in a step
-/// it asks for some of it.
+/// What a rank is sent for the check of some pairs, a number of times a step: (5.6) and (5.7). lists: how often in a
+/// step it requests some of it.
 void ContactPlanner::send_check(const Places& places, const FacesOfNodes& pairs, double times, double lists,
                                 ContactPlan& plan) const {
   std::vector<std::vector<int>> checked(plan.ranks.size());  // by rank, places among the contact nodes

@@ -20,7 +20,7 @@ struct ItemPart {
 
 class RemoteItems {
  public:
-  /// owners: [numbers] the rank that has each; find(number): its place there, >= 0, asked for in the order of the
+  /// owners: [numbers] the rank that has each; find(number): its place there, >= 0, requested in the order of the
   /// numbers of one asker after the other. Collective. Throws MpiError.
   template <class Find>
   void name(UnstructuredExchange& exchange, DataExchange& data, const std::vector<int>& owners,

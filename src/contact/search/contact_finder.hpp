@@ -87,9 +87,9 @@ class ContactFinder {
 
 /// What a look between steps is at.
 struct LookedAt {
-  std::optional<std::vector<char>> nodes;  // [contact nodes] those whose penetrations are asked for; none: all
+  std::optional<std::vector<char>> nodes;  // [contact nodes] those whose penetrations are requested; none: all
   bool has_nodes = true;                   // whether some of any rank are
-  bool has_edges = true;                   // whether penetrations of edges are asked for
+  bool has_edges = true;                   // whether penetrations of edges are requested
 };
 
 /// A finder for one look at the surface of the run's, which stays as it is. What is not looked at, it may find or not.

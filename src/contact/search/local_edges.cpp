@@ -12,7 +12,7 @@ LocalEdges::LocalEdges(const SurfaceShare& share, const ContactDeck& deck) : sha
   scratch_.points.method = find_method(deck.search);
   space_.keeps_still = deck.reuse_search;
   if (share.edges.empty()) return;
-  // A table, because the faces around an edge ask for its nodes again and again.
+  // A table, because the faces around an edge request its nodes again and again.
   const OwnedContactNodes& nodes = share.nodes;
   std::vector<int> rows(static_cast<std::size_t>(nodes.numbers.back() - nodes.numbers.front()) + 1, -1);
   for (std::size_t n = 0; n < nodes.numbers.size(); ++n)

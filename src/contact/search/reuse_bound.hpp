@@ -17,7 +17,7 @@ class ReuseBound {
   /// The share is another now: the next step searches.
   void redefine();
 
-  /// Measures all that this step may ask for, in one reduction over many ranks; on one rank what is asked for is
+  /// Measures all that this step may request, in one reduction over many ranks; on one rank what is requested is
   /// measured when it is. Until leave_step(), all questions are about this motion. Collective.
   void enter_step(const SurfaceMotion& motion);
   void leave_step() { ways_.reset(); }
@@ -96,7 +96,7 @@ class ReuseBound {
   Rows3<double> near_origin_, first_origin_;
 };
 
-/// Lists of near pairs between two searches so many steps apart, after a search, where ways are equal from step to
+/// Lists of near pairs between two searches a given number of steps apart, where displacements are equal from step to
 /// step.
 struct PlannedLists {
   NearWay way;       // none: none are made

@@ -271,7 +271,7 @@ void tie_beams(const Deck& deck, const TiedSurfaces& ties, const OwnedContactNod
   }
 }
 
-/// Nodes that have let go of a tie, or are not tied yet, may touch side b, though a face of theirs is tied.
+/// Nodes that were released from a tie, or are not tied yet, may touch side b, though a face of theirs is tied.
 void release_nodes(const Deck& deck, const TiedSurfaces& ties, const std::vector<std::int64_t>& numbers,
                    std::vector<SurfaceSet>& sets) {
   for (const auto* const free : {&ties.released, &ties.untied}) {

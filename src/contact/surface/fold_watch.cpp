@@ -160,7 +160,7 @@ std::int64_t FoldWatch::look_at_own(const Rows3<const double>& x, FoldChange lea
   const int count = static_cast<int>(own_.size());
   const auto has_changed = [edges, x] KOKKOS_FUNCTION(int i, FoldChange by) {
     const WatchedEdge& e = edges(i);
-    if (is_surely_smooth(x, e)) return false;  // asked for changes only
+    if (is_surely_smooth(x, e)) return false;  // requested changes only
     return find_change(find_shape(x, e.side), find_shape(x, e.other), e.rule) >= by;
   };
   std::int64_t num_due = 0;

@@ -2,8 +2,8 @@
 // Edges of a smooth surface that become sharp in the run: where faces fold, edges touch edges from then on. So do the
 // ridges across faces that warp.
 //
-// All edges are looked at in every so many steps, whatever else happens: which edges are folds depends only on the
-// states at these steps.
+// All edges are checked periodically, whatever else happens: which edges are folds depends only on the states at these
+// steps.
 
 #include <vector>
 
@@ -13,8 +13,8 @@
 
 namespace percuss {
 
-/// Steps between two looks, and between those that make a new surface for any fold: one for a single edge costs as much
-/// as one for many. Between these only edges that fold fast make one.
+/// Steps between two checks, and between those that make a new surface for any fold: one for a single edge costs as
+/// much as one for many. Between these only edges that fold fast make one.
 constexpr long fold_steps = 32, slow_fold_steps = 256;
 
 /// At which angle between its faces an edge is a fold [degrees].

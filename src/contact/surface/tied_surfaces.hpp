@@ -37,10 +37,9 @@ struct TiedSurfaces {
   // [ties] exterior faces of this rank, ascending: those of side a with a node in reach, and side b; of shells both
   // sides of each.
   std::vector<std::array<std::vector<ElementFace>, 2>> faces;
-  std::vector<std::vector<std::int64_t>> known;  // [ties] numbers of tied nodes in this rank's mesh, ascending
-  std::vector<TieCounts> counts;                 // [ties]
-  std::vector<std::vector<std::int64_t>>
-      released{};  // [ties] numbers of nodes that have let go, of all ranks, ascending
+  std::vector<std::vector<std::int64_t>> known;       // [ties] numbers of tied nodes in this rank's mesh, ascending
+  std::vector<TieCounts> counts;                      // [ties]
+  std::vector<std::vector<std::int64_t>> released{};  // [ties] numbers of released nodes, of all ranks, ascending
   // [ties] of late ones: numbers of nodes, of all ranks, that are not tied though a face of theirs is, ascending
   std::vector<std::vector<std::int64_t>> untied{};
 

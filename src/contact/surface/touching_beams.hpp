@@ -25,14 +25,14 @@ struct TouchingBeam {
   int part = 0, body = 0;
   double radius = 0, length = 0;
   double spring = 0;    // stiffness of each of its nodes; 0 without penalty [force/length]
-  EdgeTopology edge{};  // its axis, without number and class; all ends as if several beams went on
+  EdgeTopology edge{};  // its axis, without number and class; all ends as if several beams continued
 };
 
 /// The beams of this rank, in the order of the mesh.
 std::vector<TouchingBeam> list_touching_beams(const ChunkedMesh& chunked, const Deck& deck, int rank);
 
-/// Marks the ends of beams by their second wings: of a free end the other end of the beam; where just one beam goes on,
-/// the other end of that; else the end itself. Collective.
+/// Marks the ends of beams by their second wings: of a free end the other end of the beam; where just one beam
+/// continues, the other end of that; else the end itself. Collective.
 void mark_beam_ends(const Numbering& numbering, const Communicator& ranks, std::vector<FoundEdge>& beams);
 
 }  // namespace percuss

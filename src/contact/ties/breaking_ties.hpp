@@ -1,5 +1,5 @@
 #pragma once
-// Ties that fail: judged by the impulses of a step, let go after it, and reported to the user.
+// Ties that fail: judged by the impulses of a step, released after it, and reported to the user.
 
 #include <utility>
 #include <vector>
@@ -42,7 +42,7 @@ class BreakingTies {
   /// Takes these out of the ties of the start. Collective.
   ReleasedTies release(TiedSurfaces& ties);
 
-  /// Nodes that have let go, on all ranks.
+  /// Number of released nodes, on all ranks.
   std::int64_t count() const { return failures_.count(); }
 
   /// Since this was last called.

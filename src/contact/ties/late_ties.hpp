@@ -27,8 +27,8 @@ class LateTies {
   /// Owned nodes of sides a that may be tied later, ascending.
   const std::vector<std::int64_t>& numbers() const { return numbers_; }
 
-  /// Ties the nodes of what acts now and did not before, at places [mesh nodes]; lets go those of what acts no more.
-  /// A tie that finds nothing is a RunError, unless the deck allows it. Tells of each in lines.
+  /// Ties the nodes of ties that have begun to act, at places [mesh nodes]; releases those of ties that act no more. A
+  /// tie that finds nothing is a RunError, unless the deck allows it. Tells of each in lines.
   ReleasedTies switch_now(const ActiveContact& before, const ActiveContact& now, const std::vector<Vec3>& places,
                           TiedSurfaces& ties, std::vector<std::string>& lines);
 

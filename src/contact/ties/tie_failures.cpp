@@ -17,7 +17,7 @@
 namespace percuss {
 namespace {
 
-/// A node that lets go.
+/// A node whose tie fails.
 struct ReleasedNode {
   std::int64_t node = 0;  // number
   std::int64_t tie = 0;   // of the deck

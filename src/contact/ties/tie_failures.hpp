@@ -1,5 +1,5 @@
 #pragma once
-// Which tied nodes let go by the stress on them, and what the others hold.
+// Which tied nodes fail by the stress on them, and what the others hold.
 
 #include <cstdint>
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace percuss {
 
-/// What ties that let go set free.
+/// What failed ties release.
 struct ReleasedTies {
   std::vector<std::int64_t> nodes;  // numbers, of all ranks, ascending
   std::vector<std::int64_t> faces;  // numbers of this rank's faces of which no corner is tied any more
@@ -41,11 +41,10 @@ class TieFailures {
   /// Takes the nodes noted last out of the ties of the start. Collective.
   ReleasedTies release(TiedSurfaces& ties);
 
-  /// Nodes that have let go, on all ranks.
+  /// Number of released nodes, on all ranks.
   std::int64_t count() const { return count_; }
 
-  /// Loading: takes the nodes that have let go out of the ties of the start, and returns whether there are any.
-  /// Collective.
+  /// Loading: removes the released nodes from the ties of the start, and returns whether there are any. Collective.
   bool archive(CheckpointArchive& archive, TiedSurfaces& ties);
 
  private:

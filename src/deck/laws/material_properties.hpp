@@ -23,7 +23,7 @@ bool has_scalar(const MaterialDeck& material, HistoryScalar name);
 int count_state_variables(const MaterialDeck& material);
 
 /// Yield stresses that code of a user tells at the start: at no plastic strain, and at 1e-3 with a rate of 1. Empty:
-/// the law asks for none.
+/// the law requests none.
 std::vector<double> find_yields_of_code(const MaterialDeck& material);
 
 /// Elastic moduli at the start [stress].

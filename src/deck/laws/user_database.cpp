@@ -20,7 +20,7 @@ std::vector<double> find_step_starts(const LawDeck& law) {
   return found == law.lists.end() ? std::vector<double>() : found->second;
 }
 
-constexpr int status = 4;  // place among the integers: not 0 where the code asks for the end
+constexpr int status = 4;  // place among the integers: not 0 where the code requests the end
 
 }  // namespace
 

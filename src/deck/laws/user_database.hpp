@@ -34,7 +34,7 @@ class UserDatabases {
 
   bool any() const { return !all_.empty(); }
 
-  /// Calls all; returns the library of the first that asks for the end of the run, or an empty text.
+  /// Calls all; returns the library of the first that requests the end of the run, or an empty text.
   std::string call(RunMoment moment, const RunState& state) const;
 
  private:

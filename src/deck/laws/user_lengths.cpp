@@ -36,7 +36,7 @@ double find_number(const LawDeck& law, const char* key) {
   return found == law.numbers.end() ? 0 : found->second;
 }
 
-/// A subroutine of the library that a key asks for.
+/// A subroutine of the library that a key requests.
 void require_entry(const LawDeck& law, const char* key, const char* entry) {
   const std::string file = find_code_file(law);
   if (find_number(law, key) == 0 || find_user_entry(file, entry) != nullptr) return;

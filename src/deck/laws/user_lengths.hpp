@@ -17,10 +17,10 @@ struct UserShape {
   double length = 0;          // edge of a cube of its volume
 };
 
-/// How many lengths the law asks for; 0: none.
+/// How many lengths the law requests; 0: none.
 int count_user_lengths(const LawDeck& law);
 
-/// Throws InputError if the law asks for lengths and its library has no VUCHARLENGTH, or for fields and it has no
+/// Throws InputError if the law requests lengths and its library has no VUCHARLENGTH, or fields and it has no
 /// VUSDFLD.
 void require_user_entries(const LawDeck& law);
 

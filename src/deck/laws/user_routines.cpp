@@ -70,7 +70,7 @@ std::string fill_message(const std::string& form, MessageValues values) {
   return text;
 }
 
-/// A message, known by its form, is printed some times, then that it goes on.
+/// A message, known by its form, is printed some times, then that it continues.
 void print_message(const std::string& library, const char* kind, const std::string& form, const std::string& text,
                    int most = 5) {
   constexpr std::size_t most_forms = 1000;

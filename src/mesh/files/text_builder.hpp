@@ -61,7 +61,7 @@ class TextBuilder {
 
   void add_node(std::int64_t id, const Vec3& x, TextPlace place);
 
-  /// The block of this name and kind; made when it is first asked for.
+  /// The block of this name and kind; made when it is first requested.
   int find_block(const std::string& name, std::int64_t id, const TextKind& kind);
   void rename_blocks(std::int64_t id, const std::string& name);
 

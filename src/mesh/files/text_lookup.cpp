@@ -110,7 +110,7 @@ std::array<std::int64_t, 4> TextLookup::make_key(std::array<std::int64_t, 4> nod
   return nodes;
 }
 
-/// Faces of which all nodes are asked for.
+/// Faces of which all nodes are requested.
 void TextLookup::list_faces(const std::vector<char>& on_faces) {
   faces_.clear();
   for (const FileBlock& block : to_.blocks) {

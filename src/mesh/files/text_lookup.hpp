@@ -70,7 +70,7 @@ class TextLookup {
   TextBuilder& from_;
   TextContents to_;
   std::vector<IdPlace> node_numbers_, element_numbers_;  // ascending
-  std::vector<FacePlace> faces_;                         // ascending, of nodes that are asked for
+  std::vector<FacePlace> faces_;                         // ascending, of nodes that are requested
   std::vector<std::string> problems_;
   std::size_t problem_count_ = 0, lost_faces_ = 0;
 };

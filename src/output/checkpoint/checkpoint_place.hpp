@@ -12,7 +12,7 @@ std::string find_previous_checkpoint(const std::string& path);
 void remove_unfinished_checkpoint(const std::string& path);
 
 /// Puts a whole file in the place of the checkpoint at `path`, which becomes the one before, and waits until the disk
-/// has the names. known_whole: the checkpoint that the run wrote last or went on from; empty: the one at `path`. If
+/// has the names. known_whole: the checkpoint that the run wrote last or continued from; empty: the one at `path`. If
 /// that is another one, the file at `path` becomes the one before only if its seal fits, and never in the place of
 /// `known_whole`. By one process. Throws SystemError.
 void replace_checkpoint(const std::string& temporary, const std::string& path, const std::string& known_whole);

@@ -17,7 +17,7 @@ namespace percuss {
 namespace {
 
 constexpr double usual_wait = 60;             // seconds that a full disk is given
-constexpr double longest_wait_asked = 86400;  // that can be asked for
+constexpr double longest_wait_asked = 86400;  // that can be requested
 
 /// PERCUSS_WAIT_FOR_SPACE in seconds; what is no number of them is as if it was not there.
 double find_longest_wait() {

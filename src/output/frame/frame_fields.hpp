@@ -60,7 +60,7 @@ struct FieldsOptions {
 struct EarlierFrames {
   const std::string& directory;
   const std::string& name;              // of the output
-  std::int64_t frames = 0;              // that the run goes on behind
+  std::int64_t frames = 0;              // that the run continues behind
   std::span<const std::string> fields;  // that every frame will have
 };
 

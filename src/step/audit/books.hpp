@@ -36,7 +36,7 @@ class Bookkeeper {
   /// Notes the momentum at time 0, and where a relaxation has left the mass centre. Collective.
   void start(const State& state);
 
-  /// What the books remember besides those of the state.
+  /// Ledger data that is not in State::books.
   void archive(CheckpointArchive& archive);
 
   /// Books the impulses of a step and the first half of the work of conditions and of loads on nodes. Call with v at

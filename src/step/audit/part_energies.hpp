@@ -1,5 +1,5 @@
 #pragma once
-// What each part has of the scene's energies, momentum and mass: columns of the history, where the deck asks for them.
+// What each part has of the scene's energies, momentum and mass: columns of the history, where the deck requests them.
 //
 // A part consists of whole chunks; a node that parts share counts for the one of the lowest chunk. So the sums of the
 // audit, which are exact sums of those of the chunks, fall apart into sums of the parts: these have the same bits on

@@ -1,5 +1,5 @@
 #pragma once
-// Mean displacement and mean velocity of parts: columns of the history, where the deck asks for them.
+// Mean displacement and mean velocity of parts: columns of the history, where the deck requests them.
 //
 // Both are means over the nodes, weighted with their masses. A node that parts share counts for the one of the lowest
 // chunk, as in PartEnergies, whose chunks and exact sums give the same bits on any number of ranks and threads.

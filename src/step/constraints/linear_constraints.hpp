@@ -1,7 +1,7 @@
 #pragma once
 // Linear constraints of velocities, and the impulses by which unknowns with masses keep them.
 //
-// A row asks for sum a_i v_i = rate. Its impulse p gives a_i p to each of its unknowns, so that rows without a rate do
+// A row demands sum a_i v_i = rate. Its impulse p gives a_i p to each of its unknowns, so that rows without a rate do
 // no work once they are met. The impulses of all rows solve B M^-1 B^T p = rate - B v.
 
 #include <cstddef>

@@ -8,7 +8,7 @@
 
 namespace percuss {
 
-/// Throws InputError with the deck's place, the same on all ranks, where the deck asks for what tetrahedra, wedges and
+/// Throws InputError with the deck's place, the same on all ranks, where the deck requests what tetrahedra, wedges and
 /// pyramids do not have.
 void check_small_solids(const Deck& deck, const Mesh& mesh);
 

@@ -16,7 +16,7 @@ namespace percuss {
 
 class GlueStage : public Action {
  public:
-  /// Collective over the model's ranks. All outlive this. contact: gets the nodes that let go.
+  /// Collective over the model's ranks. All outlive this. contact: gets the nodes whose glue fails.
   GlueStage(const Deck& deck, const Model& model, ContactStage& contact);
 
   void advance(State& state, double dt) override;

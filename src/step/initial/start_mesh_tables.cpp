@@ -136,7 +136,7 @@ class MeshTables {
                        [&](const FileBlock& block) { return find_part(block.name) == fields_.part; });
   }
 
-  /// All components of each quantity that is asked for, or of which there is one.
+  /// All components of each quantity that is requested, or of which there is one.
   void require_quantities() const {
     bool some = false;
     for (const NamedQuantity& of : named_quantities) {

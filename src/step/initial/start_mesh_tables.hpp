@@ -27,7 +27,7 @@ struct FileDisplacement {
 
 /// The tables of a block of the file each, of elements or of nodes. Blocks that are called like a part, as in
 /// fields.exo, have the ids of that part. Throws InputError with the file's name: it is damaged, has no such time,
-/// none of the variables, not one that the deck asks for, or not all its components; a number that is not finite or
+/// none of the variables, not one that the deck requests, or not all its components; a number that is not finite or
 /// absurd; an id twice in a block. SystemError.
 /// Reads the tables of a file. For elements, `unused` gets the displacements that the file has.
 std::vector<StartPiece> read_mesh_tables(const Deck& deck, const StartFieldsDeck& fields, StartPlace place,

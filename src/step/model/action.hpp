@@ -70,7 +70,7 @@ class Action {
   virtual void limit_step(const State& /*state*/, StepBound& /*bound*/) const {}
   /// Largest step that the action allows; a scene without such a bound has none. Not collective.
   virtual double largest_step(const State& /*state*/) const { return std::numeric_limits<double>::infinity(); }
-  /// Whether this rank asks for change_masses(). bounds: [chunks] least of the elements of each. Not collective.
+  /// Whether this rank requests change_masses(). bounds: [chunks] least of the elements of each. Not collective.
   virtual bool wants_masses(const State& /*state*/, const HostMirror<Array<double>>& /*bounds*/) const { return false; }
   /// After the forces at n, where a rank has asked.
   virtual void change_masses(State& /*state*/, Bookkeeper& /*books*/) {}
@@ -100,7 +100,7 @@ class Action {
 
   // What the stepper may leave out.
 
-  /// Whether it comes between the velocities of this rank's nodes and their motion, or asks for their forces, or for
+  /// Whether it comes between the velocities of this rank's nodes and their motion, or requests their forces, or for
   /// their places before they move. Where nothing does, predict() and change_velocities() are not called, and x is at
   /// n+1 right after begin_step(). One that returns true and leaves v as it is says so in bound_component().
   virtual bool comes_between() const { return true; }

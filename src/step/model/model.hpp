@@ -128,8 +128,8 @@ struct Model {
   std::vector<AddedMass> added_masses;  // of the parts that the deck asks to scale; at the start
   Array<double> extra_mass;             // [nodes] what the deck adds without elements; empty: nothing
   std::vector<std::string> mass_notes;  // what is to be reported of it
-  bool scales_in_run = false;           // whether the deck asks for more during the run
-  bool resists_folding = false;         // whether it asks for that of hexahedra, on every rank
+  bool scales_in_run = false;           // whether the deck requests more during the run
+  bool resists_folding = false;         // whether it requests that of hexahedra, on every rank
 
   std::array<Curve, 3> gravity;  // acceleration along x, y, z
   bool gravity_varies = false;

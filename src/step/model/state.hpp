@@ -50,7 +50,7 @@ struct StepBound {
   std::int64_t failed_element = -1;  // lowest element without positive volume or step, -1: none
   std::int64_t broken_chunk = -1;    // lowest chunk whose work is not finite, -1: none
   bool died = false;                 // whether an element lost the last of its force in the step
-  std::int64_t spring = -1;          // that asks for a shorter step than all else, by its place in the model, -1: none;
+  std::int64_t spring = -1;          // that requests a shorter step than all else, by its place in the model, -1: none;
                                      // below that: a turn spring
 };
 
@@ -75,7 +75,7 @@ struct State {
   Rows3<double> v_before;    // velocity one step earlier; scratch of the step
   Rows3<double> force;       // assembled force, at n
   Rows3<double> impulse;     // contact impulse of the last step
-  DampedMasses damped;       // of the step that goes on, once velocities are damped
+  DampedMasses damped;       // of the step that continues, once velocities are damped
   Array<Real> elements;      // element records, at n
   Rows3<double> slot_force;  // internal force (negative) and pressure by slot, at n; also those of other ranks
   ChunkResults results;      // by chunk, at n; work since the start

@@ -2,7 +2,7 @@
 // Views that every step reads and writes from end to end.
 //
 // A core that streams through small pages waits for their addresses: where the system hands out huge pages on request,
-// they are asked for before the first touch.
+// they are requested before the first touch.
 
 #include <cstdint>
 #include <string>

@@ -22,19 +22,19 @@ namespace {
 constexpr double least_moving = 0.1;
 /// Shortest period of spins that count as idle, as a share of the steps so far.
 constexpr double idle_periods = 10;
-/// Steps between two looks at the motion.
+/// Steps between two checks of the motion.
 constexpr long look_steps = 10;
-/// What an earlier look counts less than the next.
+/// Weight of an earlier check relative to the next.
 constexpr double fading = 0.8;
 /// Least steps for which the motion must stay below its tolerance.
 constexpr long least_quiet_steps = 100;
-/// A body of a joint that has moved so many times half the diagonal of the scene is not supported. Much farther away
-/// the round-off of its place is more than what a joint keeps, and the joint would be torn apart.
+/// A body of a joint that has moved this many half diagonals of the scene is not supported. Much farther away the
+/// round-off of its place is more than what a joint keeps, and the joint would be torn apart.
 constexpr double falls_beyond = 100;
 /// Largest lack of a preload, relative to it, in a scene at rest.
 constexpr double tolerated_preload_error = 1e-3;
-/// A preload is stuck if in so many steps, or a share of the most steps, its least lack falls by less than this share,
-/// and its layer gets shorter by less than this share of what it has got shorter so far.
+/// A preload is stuck if its least lack falls by less than this share within progress_steps (or a share of the most
+/// steps), and its layer gets shorter by less than this share of what it has got shorter so far.
 constexpr double least_progress = 0.01;
 constexpr long progress_steps = 5000, progress_checks = 20;
 /// Shares of the length of a layer: what is less is no motion; what has lost more closes no gap.

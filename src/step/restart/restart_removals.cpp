@@ -36,7 +36,7 @@ std::string find_summary(const RestartInPlace& restart) {
   }
 }
 
-/// The newest checkpoint of the folder, if the run goes on from another one.
+/// The newest checkpoint of the folder, if the run continues from another one.
 std::string find_checkpoint(const RestartInPlace& restart) {
   const std::string path = restart.folder + "/checkpoint.h5";
   std::error_code ignored;

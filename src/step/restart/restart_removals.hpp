@@ -1,5 +1,5 @@
 #pragma once
-// What a run that goes on in a folder would take away from it for good, in words.
+// What a run that continues in a folder would take away from it for good, in words.
 
 #include <string>
 
@@ -10,7 +10,7 @@ namespace percuss {
 /// A restart in the folder of its checkpoint.
 struct RestartInPlace {
   std::string folder;
-  std::string checkpoint;  // that it goes on from
+  std::string checkpoint;  // that it continues from
   SavedState from;         // the state of that
   SavedState end;          // where the run will end at the latest
 };

@@ -207,7 +207,7 @@ std::vector<int> list_elements(const std::vector<FollowedPoint>& points) {
   return elements;
 }
 
-/// Puts the values of one point in the place of the element's, where the deck asks for it. stresses, strains: in and
+/// Puts the values of one point in the place of the element's, where the deck requests it. stresses, strains: in and
 /// out, of the followed elements of this rank.
 void put_points(const Model& model, const State& state, const std::vector<FollowedPoint>& points,
                 std::vector<double>& stresses, std::vector<double>& strains) {

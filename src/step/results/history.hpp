@@ -25,7 +25,7 @@ struct HistoryScene {
 class History {
  public:
   /// Without a directory the rows are made and not written. Else creates history.csv and columns.json in the directory,
-  /// or goes on with the history.csv of an earlier run behind its first `bytes`: rank 0 writes. Collective. Throws
+  /// or continues with the history.csv of an earlier run behind its first `bytes`: rank 0 writes. Collective. Throws
   /// SystemError, InputError, the same on all ranks.
   History(const std::string& directory, const HistoryScene& scene, std::optional<std::int64_t> bytes = std::nullopt);
 

@@ -1,5 +1,5 @@
 #pragma once
-// When a run writes rows and frames, and where: into new files, or behind those of the run that a restart goes on with.
+// When a run writes rows and frames, and where: into new files, or behind those of the run that a restart continues.
 
 #include <list>
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace percuss {
 
-/// What a run that goes on in a folder cuts off its files, and does not write again.
+/// What a run that continues in a folder cuts off its files, and does not write again.
 struct CutStates {
   LaterStates rows;
   std::vector<CutFrames> frames;  // of each output of fields
@@ -54,7 +54,7 @@ class RunOutput {
   /// A frame of each output, or of those that are due.
   void write_frames(const State& state);
   void write_due_frames(const State& state);
-  /// Keeps frames of a state in memory, where the deck asks for it and they are due.
+  /// Keeps frames of a state in memory, where the deck requests it and they are due.
   void keep_frames(const State& state);
   /// Before that of a failed state: the frames kept that are not in the file.
   void write_kept_frames(const State& failed);

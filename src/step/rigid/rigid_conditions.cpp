@@ -22,7 +22,7 @@
 namespace percuss {
 namespace {
 
-/// Holds a direction of a body. Rest is rest, whoever asks for it. switched_by: condition that sensors switch, or free.
+/// Holds a direction of a body. Rest is rest, whoever requests it. switched_by: condition that sensors switch, or free.
 void hold(RigidBody& body, int direction, int motion, const std::string& place, int switched_by = RigidBody::free) {
   int& held = body.motion[at(direction)];
   const bool is_switched = switched_by != RigidBody::free || body.switched_by[at(direction)] != RigidBody::free;

@@ -179,7 +179,7 @@ void Run::keep_deck() const {
   });
 }
 
-/// A run that goes on in place cuts off what lies behind its checkpoint.
+/// A run that continues in place cuts off what lies behind its checkpoint.
 void Run::check_removals() const {
   RestartInPlace restart{options_.out_dir, options_.restart, {state_.time, state_.step}, {deck_.time.end, 0}};
   restart.end.step = deck_.time.max_steps.value_or(std::numeric_limits<std::int64_t>::max());
@@ -209,7 +209,7 @@ void Run::loop() {
                        state_.time, state_.step, keeps_summary_ ? "; summary.json stays as it is" : "")});
   }
   while (!is_finished() && !stepper_.is_stop_agreed()) advance();
-  // The checkpoint goes before the last row and frame, which a run that goes on does not have.
+  // The checkpoint goes before the last row and frame, which a run that continues does not have.
   if (!is_finished()) {
     save_interrupted();
   } else if (checkpoints_.step() != state_.step && checkpoints_.is_wanted_at_end()) {
@@ -231,7 +231,7 @@ void Run::note_limit() {
   limiting_approach_ = approach == nullptr ? "" : describe_approach(*approach, chunked_.mesh);
 }
 
-/// VEXTERNALDB of the user's libraries; one that asks for the end of the run stops it.
+/// VEXTERNALDB of the user's libraries; one that requests the end of the run stops it.
 void Run::call_user_code(RunMoment moment) {
   if (!user_databases_.any()) return;
   const bool is_made = moment >= RunMoment::end_of_increment;
@@ -361,7 +361,7 @@ void Run::look_at_corners() {
   warnings_.renew(describe_inverted_corners(counts, chunked_.mesh.parts, state_.time));
 }
 
-/// Whoever interrupts a run may end it by force a second later: what is needed to go on comes first, then what tells
+/// Whoever interrupts a run may end it by force a second later: what is needed to continue comes first, then what tells
 /// that it was interrupted, and only then all other output and the wait for the disk.
 void Run::save_interrupted() {
   if (checkpoints_.step() != state_.step) save_checkpoint();
@@ -390,7 +390,7 @@ void Run::check_step_made() const {
   if (!is_finished()) check_step(checked_run(), first_dt_);
 }
 
-/// Everything that a run needs to go on as if it had never stopped.
+/// Everything that a run needs to continue as if it had never stopped.
 void Run::archive(CheckpointArchive& archive) {
   archive_state(archive, chunked_, model_, state_);
   stepper_.archive_actions(archive, state_);

@@ -16,7 +16,7 @@ namespace percuss {
 struct RunOptions {
   std::string out_dir;  // exists; empty: write no files at all (tests, studies)
   Progress::Style progress = Progress::Style::quiet;
-  std::string restart = {};            // checkpoint to go on from; empty: the run begins at time 0
+  std::string restart = {};            // checkpoint to continue from; empty: the run begins at time 0
   bool goes_on_in_place = false;       // with it: out_dir holds the files of the run that wrote it, which are continued
   bool may_remove_results = false;     // with that: also if the files hold what this run does not write again
   bool allows_external_files = false;  // HDF5 files may take data from others: a run that continues needs that, too
@@ -38,7 +38,7 @@ struct RunResult {
 /// summary as the deck asks, checkpoints when they are due and when the run is stopped. The summary is there from the
 /// first step on, then with status "running", and written again at the end in any case. A restart that is refused has
 /// changed no file. Collective: deck and options are the same on every rank, and so is the result. Throws InputError,
-/// RunError, SystemError and, where a stop is asked for before the first file is made, Interruption, the same on all
+/// RunError, SystemError and, where a stop is requested before the first file is made, Interruption, the same on all
 /// ranks; what was written before stays.
 RunResult run_scene(const Deck& deck, const RunOptions& options);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Whether a run may go on after a step, and what is said if not: what is worst, where, and what to do about it.
+// Whether a run may continue after a step, and what is said if not: what is worst, where, and what to do about it.
 
 #include "src/step/audit/audit.hpp"
 #include "src/step/run/run_notes.hpp"

@@ -15,8 +15,8 @@
 
 namespace percuss {
 
-/// Whether a run that goes on in place has nothing left to do, and the folder's summary is of this very state: it tells
-/// what the computation has cost, which this run would not. Collective.
+/// Whether a run that continues in place has nothing left to do, and the folder's summary is of this very state: it
+/// tells what the computation has cost, which this run would not. Collective.
 bool Run::is_summary_whole() const {
   if (!options_.goes_on_in_place || !is_finished()) return false;
   const std::string hash = fmt::format("{:016x}", hash_state(model_, state_)),
@@ -189,8 +189,8 @@ void Run::fail(const std::exception& error) {
   }
   try {
     if (dynamic_cast<const RunError*>(&error) != nullptr) write_failed_state();
-    // The state is sound where files were taken away: from a checkpoint the run can go on in another folder. That of a
-    // run that failed by itself would only fail again.
+    // The state is sound where files were taken away: from a checkpoint the run can continue in another folder. That of
+    // a run that failed by itself would only fail again.
     const bool is_sound = is_state_whole_ && dynamic_cast<const SystemError*>(&error) != nullptr;
     if (is_sound && !output_.are_files_in_place()) save_checkpoint();
     finish("failed", error.what());

@@ -29,7 +29,7 @@ constexpr double noted_scene_share = 0.02;
 /// ... unless it is so small beside the largest energy of the scene that it means nothing.
 constexpr double noted_energy_share = 1e-3;
 
-/// Share of the largest energy: contact gives back what its springs hold and what it was asked for, and no more.
+/// Share of the largest energy: contact gives back what its springs hold and what was requested of it, and no more.
 constexpr double noted_contact_share = 0.01;
 
 /// Share of the largest energy: a balance that is off by more is reported, long before audit.max_energy_error ends the
@@ -39,7 +39,7 @@ constexpr double noted_energy_error = 0.01;
 /// Share of a face edge, beyond what was accepted at the start: the contact of a node is lost at a quarter.
 constexpr double noted_depth = 0.1;
 
-/// Motions of so many times the depth tolerance of contact in a step are round-off of contact, too.
+/// Motions of up to this many depth tolerances of contact in a step are round-off of contact, too.
 constexpr double motions_in_tolerance = 10;
 
 Warning describe_hourglass(const PartHourglass& part, double time) {

@@ -17,7 +17,7 @@ void Run::start_sensors() {
   contact_.set_switches(happened);
 }
 
-/// Sensors see rows of the history that are due, and no other: whoever asks for a frame does not change the run.
+/// Sensors see rows of the history that are due, and no other: whoever requests a frame does not change the run.
 void Run::look_by_sensors(bool has_new_row) {
   if (!stepper_.sensors().any()) return;
   if (has_new_row && output_.has_rows()) stepper_.sensors().look(state_.time, output_.last_row());

@@ -27,7 +27,7 @@ void forget_stop_request();
 /// Asks for a checkpoint after the step that is under way; async-signal-safe.
 void request_checkpoint();
 
-/// Whether this rank was asked for one, and since then has none.
+/// Whether this rank was asked for a checkpoint, and has written none since.
 bool is_checkpoint_requested();
 void forget_checkpoint_request();
 
@@ -39,10 +39,10 @@ class FolderRequests {
     bool stop = false, checkpoint = false, frame = false;
   };
 
-  /// What was asked for during the start is found at the first look. folder: empty for a run without files.
+  /// What was requested during the start is found at the first check. folder: empty for a run without files.
   explicit FolderRequests(std::string folder);
 
-  /// What has been asked for since the last call; the files are removed. Looks at most four times a second.
+  /// What has been requested since the last call; the files are removed. Looks at most four times a second.
   Found take();
 
  private:

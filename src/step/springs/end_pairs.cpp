@@ -29,7 +29,7 @@ class EndFinder {
     found_ = find_points(deck, chunked, points, "end of " + kind);
   }
 
-  /// The nodes of an end on all ranks, ascending. To be asked for in the order of the deck. Collective.
+  /// The nodes of an end on all ranks, ascending. To be requested in the order of the deck. Collective.
   std::vector<Item> find(const SpringEndDeck& end) { return gather_nodes(chunked_, find_own(end)); }
 
  private:

@@ -15,7 +15,8 @@ namespace {
 
 /// Share of the eigenvalue that the iteration may fall short of it; half of it is lost of the step.
 constexpr double margin = 0.04;
-/// Chunks with bounds above so many times the trial step count with these: (1 / 2.5)^2 is far from the eigenvalue.
+/// Chunks with bounds above this many times the trial step count with that value: (1 / 2.5)^2 is far from the
+/// eigenvalue.
 constexpr double coarse_ratio = 2.5;
 
 /// Nearly normal: the sum of four uniform numbers from one of 64 random bits, less its mean.

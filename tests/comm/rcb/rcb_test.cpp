@@ -74,7 +74,7 @@ TEST_F(RcbTest, AllRanksRefuseAPointWithoutAFinitePosition) {
     points[37].x[1] = bad;
     EXPECT_THROW(decompose(points), RcbError);
   }
-  EXPECT_EQ(decompose(make_random_points(100, 22)).points, 100);  // and can go on
+  EXPECT_EQ(decompose(make_random_points(100, 22)).points, 100);  // and can continue
 }
 
 TEST_F(RcbTest, AllRanksRefuseAWeightThatIsNotPositive) {

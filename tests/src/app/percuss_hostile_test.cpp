@@ -80,7 +80,7 @@ TEST_F(PercussHostile, PipesAndDevicesAreRefusedAtOnce) {
 
 class PercussHostileRestart : public PercussHostile {
  protected:
-  /// A run that is to go on in its folder.
+  /// A run that is to continue in its folder.
   void run_first() const {
     const ProcessResult run = run_percuss({"run", box_deck_, "-o", out_, "--set", "output.checkpoint={every: 5e-4}",
                                            "--set", "output.history={every: 0}"});

@@ -81,7 +81,7 @@ TEST_F(PercussSignals, MayBeFilesInTheFolderOfResults) {
   EXPECT_EQ(read_summary(out_ + "/summary.json").status, "interrupted");
   EXPECT_TRUE(fs::exists(out_ + "/checkpoint_previous.h5"));
   const std::string history = read(out_ + "/history.csv");
-  EXPECT_EQ(std::count(history.begin(), history.end(), '\n'), 4);  // heading, start, what was asked for, the end
+  EXPECT_EQ(std::count(history.begin(), history.end(), '\n'), 4);  // heading, start, what was requested, the end
 }
 
 TEST_F(PercussSignals, ByFilesDuringStartUpActAtTheFirstLook) {
@@ -170,7 +170,8 @@ TEST_F(PercussSignals, AHangUpThatIsIgnoredStaysIgnored) {
   }
 }
 
-// mpirun kills its ranks soon after a signal: what is needed to go on must be there by then, and the folder must tell.
+// mpirun kills its ranks soon after a signal: what is needed to continue must be there by then, and the folder must
+// tell.
 TEST_F(PercussSignals, ARunThatIsKilledSaysSoInItsFolder) {
   const ProcessResult result = interrupt_percuss(run(), out_ + "/summary.json", SIGKILL);
   EXPECT_EQ(result.exit_code, -SIGKILL);

@@ -264,7 +264,7 @@ TEST(RemoteItems, ArePartlyAskedForAndRecordsFindTheirOwners) {
   const Communicator world = Communicator::world();
   UnstructuredExchange exchange(world);
   DataExchange data(world);
-  // Item i is with rank i % size, at the place 10 i there; every rank asks for all of them.
+  // Item i is with rank i % size, at the place 10 i there; every rank requests all of them.
   std::vector<std::int64_t> numbers;
   std::vector<int> owners;
   for (int i = 0; i < 23; ++i) {

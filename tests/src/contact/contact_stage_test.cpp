@@ -170,8 +170,8 @@ contact: {surfaces: all, reuse_search: )";
 }
 
 TEST(ContactStage, AThickRimThatTurnsKeepsItsDistance) {
-  // A strip turns about one end by 2e-3 a step and lifts a cube near the other, where its moved face goes on beyond the
-  // rim: the cube neither sinks into the thickness nor is thrown off it.
+  // A strip turns about one end by 2e-3 a step and lifts a cube near the other, where its moved face continues beyond
+  // the rim: the cube neither sinks into the thickness nor is thrown off it.
   FreeNodes nodes(R"(
 parts:
   strip: {shell_plate: {size: [1, 0.5], cells: [1, 1]}, thickness: 0.2, material: m}

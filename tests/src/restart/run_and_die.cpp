@@ -3,7 +3,7 @@
 // run_and_die run DECK OUT KILL_RANK KILL_WRITE [CHECKPOINT]: runs the deck, from a checkpoint if there is one; the
 // KILL_WRITE-th write to a file of results on rank KILL_RANK is the end of it (0: none; +N: the N-th that begins when
 // there is a checkpoint). run_and_die fill DECK OUT N:
-// the disk is full when the checkpoints after the first ask for room for the N-th time. run_and_die compare A B: 0 if
+// the disk is full when the checkpoints after the first request room for the N-th time. run_and_die compare A B: 0 if
 // state, history and fields are the same bits.
 
 #include <dlfcn.h>
@@ -48,7 +48,7 @@ bool is_new_checkpoint(int file) {
   return length > 0 && std::string(name, static_cast<std::size_t>(length)).ends_with("/checkpoint.h5.tmp");
 }
 
-// Whether there is no room for what is asked for behind the end of the file.
+// Whether there is no room for what is requested behind the end of the file.
 bool lacks_room(int file, off_t end) {
   struct stat status {};
   if ((demands_left == 0 && !is_disk_full) || !is_new_checkpoint(file) || ::fstat(file, &status) != 0 ||
@@ -169,7 +169,7 @@ int fill(int argc, char** argv) {
   options.progress = Progress::Style::plain;
   earlier_checkpoint = std::string(argv[3]) + "/checkpoint.h5";
   return run(argc, argv, options, [&](int rank) {
-    if (rank == 0) demands_left = std::stol(argv[4]);  // rank 0 asks for the room of all, and seals
+    if (rank == 0) demands_left = std::stol(argv[4]);  // rank 0 requests the room of all, and seals
   });
 }
 

@@ -1,4 +1,4 @@
-// A run that is stopped and goes on ends as one that never was; a restart that cannot be right is refused.
+// A run that is stopped and continues ends as one that never was; a restart that cannot be right is refused.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -16,8 +16,8 @@ namespace {
 constexpr double g = 9.81;
 
 // 16 kg, soft so that steps are long: weight strains it by 1e-4, and 1e-4 of its size is what it may differ from rigid.
-// Weight and friction come all at once and make it ring; a block that nothing damps goes on ringing in bending, fed by
-// the slip of nodes that have little weight on them, and is not rigid. Viscous hourglass control damps bending.
+// Weight and friction come all at once and make it ring; a block that nothing damps continues ringing in bending, fed
+// by the slip of nodes that have little weight on them, and is not rigid. Viscous hourglass control damps bending.
 const std::string block = R"(
 elements: {hourglass: viscous}
 materials: {soft: {model: elastic, density: 1000, youngs_modulus: 1e7, poissons_ratio: 0.3}}

@@ -119,7 +119,7 @@ TEST(WallWithAMass, TakesWhatABarLoses) {
   EXPECT_LT(find_motion(scene).wall_speed, -3);
 }
 
-// Lighter than the nodes that meet it: these go on, and it goes with them or ahead, never faster than what hit it.
+// Lighter than the nodes that meet it: these move on, and it goes with them or ahead, never faster than what hit it.
 TEST(WallWithAMass, MayBeMuchLighterThanNodes) {
   const double mass = 1e-4 * bar_mass;
   Scene scene(write_bar(-10, fmt::format("mass: {:.17g}", mass)), alone());

@@ -81,7 +81,7 @@ conditions: [{nodes: low/z_min, velocity: {z: 0}}, {nodes: beside/z_min, velocit
 }
 
 TEST(Skip, AnElasticBarWakesAndRestsAgain) {
-  // Pushed for a moment, held later: what has rung out to nothing may rest again, what has not must go on.
+  // Pushed for a moment, held later: what has rung out to nothing may rest again, what has not must continue.
   expect_same_without(
       bar,
       {"materials.steel={model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0}",

@@ -25,7 +25,7 @@ void add(testing_mesh::WrittenMesh& mesh, const std::vector<std::int64_t>& corne
   block->corners.insert(block->corners.end(), corners.begin(), corners.end());
 }
 
-/// Six pyramids around a new node; the top one as two tetrahedra if asked for.
+/// Six pyramids around a new node; the top one as two tetrahedra if requested.
 void add_pyramids(RandomMesh& mesh, const Cell& c, bool splits_top) {
   Vec3 middle{};
   for (const std::int64_t node : c)

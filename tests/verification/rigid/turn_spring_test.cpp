@@ -139,7 +139,7 @@ TEST(TurnSpring, TurnsBackAtItsStops) {
   EXPECT_LT(find_largest_error(run), 1e-3);
 }
 
-// Without a law on the way the angle about one axis goes on beyond whole turns, and about y beyond a right angle.
+// Without a law on the way the angle about one axis continues beyond whole turns, and about y beyond a right angle.
 TEST(TurnSpring, FollowsWholeTurns) {
   for (const char axis : {'x', 'y', 'z'}) {
     const std::string spin = axis == 'x' ? "[20, 0, 0]" : axis == 'y' ? "[0, 20, 0]" : "[0, 0, 20]";

@@ -166,7 +166,7 @@ conditions: [{{nodes: block, fixed: [x, y, z]}}]
 }
 
 // With its second row of nodes in reach as well an upright strip is a beam on two supports, 0.5 from one another, that
-// goes on beyond: u = P a^2 (a + 0.5) / 3 E I, a = 9.5.
+// continues beyond: u = P a^2 (a + 0.5) / 3 E I, a = 9.5.
 TEST(TiedShells, UprightInTwoRowsCarryAMoment) {
   constexpr double length = 10, thickness = 0.1, load = 1e-3;
   const Vec3 u = rest(stand_upright("distance: 0.5"), 0, 10, 1, {load, 0, 0}, 2000);

@@ -212,7 +212,7 @@ TEST(BarImpact, AShortBarStopsAndTheContactEndsAfterItsTwoTransits) {
   const Outcome run =
       strike("short on long", {0.2, 10, young, density, 80}, {0.6, 0, young, density, 240}, 2.9 * transit);
   const HistoryTable& h = run.history;
-  // The interface is at rest then, and may go on touching without force: the pulse in the long bar tells the time.
+  // The interface is at rest then, and may continue touching without force: the pulse in the long bar tells the time.
   const double stress = density * c * 5;
   EXPECT_NEAR(h.time_of_rise("stress_stress_xx", -0.5 * stress) - h.time_of_rise("stress_von_mises", 0.5 * stress),
               2 * transit, 0.01 * 2 * transit);

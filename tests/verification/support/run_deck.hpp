@@ -80,7 +80,7 @@ class HistoryTable {
 
 struct Outcome {
   Summary summary;
-  HistoryTable history;  // empty unless the deck asks for one
+  HistoryTable history;  // empty unless the deck requests one
 };
 
 /// Runs a scene in a folder of its own. Prints one line with its size and seconds. Throws what run_scene throws.

@@ -8,7 +8,7 @@ from .deck import AbaqusDeck
 from .lines import Block
 
 MOST_ADDED = 1e6  # a share of the mass of a part: there is no limit in Abaqus
-EVERY = 10  # steps between two looks, where the deck does not say
+EVERY = 10  # steps between two checks, where the deck does not say
 
 
 def read_mass_scaling(deck: AbaqusDeck, block: Block) -> None:

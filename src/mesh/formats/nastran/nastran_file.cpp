@@ -95,7 +95,7 @@ class NastranReader {
     bool is_relative = false;       // to that of the property
     TextPlace place;
   };
-  /// The last one that was asked for, and how many elements blocks have.
+  /// The last one that was requested, and how many elements blocks have.
   struct LastBlock {
     std::int64_t property = 0;
     std::string kind;

@@ -35,7 +35,7 @@ class NastranSystems {
     std::int64_t reference = 0;
     std::array<Vec3, 3> points{};  // origin, on the z axis, in the x-z plane
     TextPlace place;
-    std::optional<Frame> frame;  // once it is asked for
+    std::optional<Frame> frame;  // once it is requested
   };
 
   Vec3 find_place(std::int64_t system, const Vec3& x, TextPlace place, int depth);

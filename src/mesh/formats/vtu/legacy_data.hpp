@@ -20,7 +20,7 @@ struct LegacyData {
 
   bool has_integers() const { return type != "float" && type != "double"; }
 
-  /// The numbers. Throw InputError if they are others, or `expected` are asked for.
+  /// The numbers. Throw InputError if they are others, or `expected` are requested.
   std::vector<std::int64_t> read_integers(std::size_t expected, const TextNames& names) const;
   std::vector<double> read_reals(std::size_t expected, const TextNames& names) const;
 };

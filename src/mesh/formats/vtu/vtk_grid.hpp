@@ -18,7 +18,7 @@
 
 namespace percuss {
 
-/// An array of cells or points, which is read only where somebody asks for it.
+/// An array of cells or points, which is read only where somebody requests it.
 struct VtkArray {
   std::string name;
   std::int64_t components = 1;

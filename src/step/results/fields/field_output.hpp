@@ -1,6 +1,6 @@
 #pragma once
 // One output of fields: output.fields, or an entry of output.field_outputs. When its frames are due, what they show,
-// and their files: new ones, or those of the run that a restart goes on with.
+// and their files: new ones, or those of the run that a restart continues.
 
 #include <memory>
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace percuss {
 
-/// What a run that goes on in a folder cuts off a file of fields.
+/// What a run that continues in a folder cuts off a file of fields.
 struct CutFrames {
   std::string file;
   LaterStates frames;
@@ -42,7 +42,7 @@ class FieldOutput {
 
   /// Writes the state, unless it was written; returns whether it was not.
   bool write(const State& state);
-  /// Keeps the frame of a state in memory, where the deck asks for it and it is due.
+  /// Keeps the frame of a state in memory, where the deck requests it and it is due.
   void keep(const State& state);
   /// Before that of a failed state: the frames kept that are not in the file.
   void write_kept(const State& failed);

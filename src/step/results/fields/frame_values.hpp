@@ -20,7 +20,7 @@ struct FrameSource {
   const ContactStage& contact;
   const FieldRegion* region;  // none: the whole mesh
   const std::vector<double>&body, &chunk;
-  std::vector<double> stresses{};  // where a field asks for them
+  std::vector<double> stresses{};  // where a field requests them
 
   ElementChoice elements() const { return region == nullptr ? ElementChoice() : ElementChoice(region->elements); }
   const std::vector<int>* nodes() const { return region == nullptr ? nullptr : &region->nodes; }

@@ -1,5 +1,5 @@
 #pragma once
-// Writes frames of the fields that an output asks for, in a file of each of its formats.
+// Writes frames of the fields that an output requests, in a file of each of its formats.
 
 #include <map>
 #include <memory>
@@ -61,7 +61,7 @@ class Frames {
   const FieldRegion* region_;
   std::vector<std::string> names_;  // of the fields
   std::vector<std::size_t> drawn_walls_;
-  std::vector<double> body_, chunk_;                   // constant fields, only if asked for
+  std::vector<double> body_, chunk_;                   // constant fields, only if requested
   std::vector<std::unique_ptr<FrameWriter>> writers_;  // one a format
   std::vector<Frame> kept_;                            // two at most, the later one last
   std::int64_t count_ = 0;

@@ -18,7 +18,7 @@ struct Draw {
   bool once_in(unsigned times) { return random() % times == 0; }
 };
 
-/// Nodes of a row for each lane, and touches that begin or go on, with and without friction and thickness.
+/// Nodes of a row for each lane, and touches that begin or continue, with and without friction and thickness.
 struct DrawnRows {
   static constexpr int lanes = TouchPack::lanes;
   RowNodes at;

@@ -1,4 +1,5 @@
-// What makes pushes work-free: the discrete gradient, gaps of nodes that are seen to go on.
+// What makes pushes work-free: the discrete gradient, gaps of nodes whose predicted motion continues that of the last
+// step.
 
 #include <gtest/gtest.h>
 

@@ -65,7 +65,7 @@ TEST_F(CheckpointFile, KeepsTheOneBefore) {
   EXPECT_THAT(describe_checkpoint(path()), HasSubstr("t = 0.333333, step 42"));
 }
 
-// As where a run goes on from the one before, since the newest is damaged, or from one with another name.
+// As where a run continues from the one before, since the newest is damaged, or from one with another name.
 TEST_F(CheckpointFile, ThatIsDamagedDoesNotTakeThePlaceOfAWholeOne) {
   const auto write_next = [&](const std::string& known_whole) {
     CheckpointWriter writer(path(), {}, share_, world());

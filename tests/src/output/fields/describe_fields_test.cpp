@@ -16,7 +16,7 @@
 #include "src/error.hpp"
 #include "tests/src/output/sample_run.hpp"
 
-// A damaged file makes HDF5 ask for absurd amounts of memory, which it is refused everywhere; under the address
+// A damaged file makes HDF5 request absurd amounts of memory, which it is refused everywhere; under the address
 // sanitizer that must not end the test.
 extern "C" const char* __asan_default_options() { return "allocator_may_return_null=1"; }
 

@@ -1,4 +1,4 @@
-// What rests in a relaxation and wakes in the run, what a run that goes on still warns of, and what its summary keeps
+// What rests in a relaxation and wakes in the run, what a run that continues still warns of, and what its summary keeps
 // of the runs before it.
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ Summary run(const std::string& deck, const std::string& folder, bool goes_on = f
   return run_scene(parse_deck(deck, "deck.yaml"), options).summary;
 }
 
-/// A run of so many steps, and one that goes on from there.
+/// A run of so many steps, and one that continues from there.
 Summary run_in_two(const std::string& deck, int steps, const std::string& folder) {
   run(replace(deck, "time: {", fmt::format("time: {{max_steps: {}, ", steps)), folder);
   return run(deck, folder, true);

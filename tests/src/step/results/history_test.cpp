@@ -58,7 +58,7 @@ TEST(HistoryPoints, AreTheNearestNodeOrElementOfTheSearchedPart) {
     const auto& set = mesh.node_sets.at("a");
     return std::find(set.begin(), set.end(), node) != set.end() ? "a" : "b";
   };
-  // The parts' nodes coincide at x = 1: the lowest index wins, or the part that was asked for.
+  // The parts' nodes coincide at x = 1: the lowest index wins, or the part that was requested.
   EXPECT_EQ(mesh.nodes[static_cast<std::size_t>(points[0].index)], (Vec3{1, 0, 0}));
   EXPECT_STREQ(part_of_node(points[0].index), "a");
   EXPECT_EQ(mesh.nodes[static_cast<std::size_t>(points[1].index)], (Vec3{1, 0, 0}));
