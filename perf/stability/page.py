@@ -57,7 +57,7 @@ def tell_map(page, stored, study):
     page.texts[f"{study}_checks"] = (f"asymmetry of the measured matrices at most {checks['asymmetry']:.0e} of their largest entry, "
                                      f"residual of the eigenvectors at most {checks['residual']:.0e}")
     if study == "elements":
-        page.texts["radius"] = (f"its spectral radius is at most 1 + {max(checks['below'] - 1, 0):.0e} at 0.999 of the critical step and at "
+        page.texts["radius"] = (f"Its spectral radius is at most 1 + {max(checks['below'] - 1, 0):.0e} at 0.999 of the critical step and at "
                                 f"least {checks['above']:.3f} at 1.001 of it")
 
 
