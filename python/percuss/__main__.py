@@ -8,8 +8,9 @@ from .terminal import fail
 from .tools import TOOLS, count_missing, load_tool
 
 USAGE = f"""\
-usage: python3 -m percuss TOOL ...    (python3 -m percuss TOOL --help says more)
-tools: {', '.join(TOOLS)}"""
+Usage: python3 -m percuss TOOL ...   (python3 -m percuss TOOL --help says more)
+Tools:
+{' '.join(TOOLS)}"""
 
 
 def main(words: list[str]) -> int | None:

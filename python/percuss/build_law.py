@@ -9,15 +9,18 @@ import sys
 import tempfile
 from typing import NoReturn
 
+from percuss.help_format import HelpFormatter
 from percuss.terminal import fail as end
 from percuss.terminal import print_text
 
 EPILOG = """\
-LAW.hpp holds a law as those of kernels/material/laws are written: a struct with name, Constants, keys(), history_count,
-moduli() and update(). The program compiles it for this machine with the compiler in CXX, or c++. The library belongs to
-this version of percuss: make it again after an update.
+LAW.hpp holds a law as those of kernels/material/laws are written: a struct with
+name, Constants, keys(), history_count, moduli() and update(). The program
+compiles it for this machine with the compiler in CXX, or c++. The library
+belongs to this version of percuss: make it again after an update. The deck uses
+it with {model: library, law: hardening.so, constants: {...}}.
 
-examples:
+Examples:
   percuss build-law hardening.hpp                     makes hardening.so
   percuss run deck.yaml --allow-library hardening.so
                                 with {model: library, law: hardening.so, constants: {...}} in the deck

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import NoReturn
 
 from percuss.files import FRAME_ENDINGS
+from percuss.help_format import HelpFormatter
 from percuss.terminal import fail as end
 
 EPILOG = """\
@@ -18,10 +19,10 @@ first step. It works from any machine that sees the folder.
 A frame is only written if the deck has output.fields, a row only if it has output.history and no sensors. Sensors are
 evaluated at rows, and a requested frame must not change the run.
 
-examples:
+Examples:
   percuss stop wall                 end the run with a checkpoint
-  percuss stop wall --frame         write a frame of fields and a row of the history (with sensors: no row) now; go on
-  percuss stop wall --checkpoint    write a checkpoint now; go on
+  percuss stop wall --frame         write a frame and a row now; continue
+  percuss stop wall --checkpoint    write a checkpoint now; continue
 
 Exit codes: 0 the run has taken the request (or was asked, with --no-wait); 2 there is no active run in DIR; 4 the
 request could not be written, or the run has not taken it in time.
@@ -31,8 +32,8 @@ Needs Python 3 alone.
 
 def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
-        prog="percuss stop", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="Asks an active run to stop with a checkpoint, or for a frame or a checkpoint.")
+        prog="percuss stop", epilog=EPILOG, formatter_class=HelpFormatter,
+        description="Stop an active run with a checkpoint, or request a frame or a checkpoint.")
     add = parser.add_argument
     add("dir", metavar="DIR", help="the output folder of the run")
     add("--frame", action="store_true",

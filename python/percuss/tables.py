@@ -4,12 +4,18 @@ import argparse
 import os
 from typing import NoReturn
 
+from percuss.help_format import HelpFormatter
 from percuss.libraries import require
 from percuss.terminal import fail as end
 
 NEEDS = ("numpy", "h5py")
 EPILOG = """\
-`percuss info DIR --energies` and `--forces` are this program. They read history.csv.
+percuss info DIR --energies and --forces are this program. They read
+history.csv:
+  --energies   of the scene, then of each part or block that the history has:
+               first, last, smallest and largest value, with their times
+  --forces     of contact, walls, supports, sections, joints, springs and welds:
+               largest resultant and its time, impulse, mean, last value
 
   --energies   of the scene, then of each part or block that the history has: first, last, smallest and largest value,
                with their times
@@ -20,14 +26,18 @@ examples:
   percuss info ball --energies
   percuss info ball --energies --forces --units 'mm, kg, ms'
 
-Exit codes: 0 done; 2 a folder or an option is wrong, or a library is missing. Needs Python 3 with NumPy and h5py.
+Exit codes:
+  0    done
+  2    a folder or an option is wrong, or a library is missing
+
+Needs Python 3 with NumPy and h5py. docs/results.md describes the tables.
 """
 
 
 def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
-        prog="percuss info", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="Prints tables of the history of a run.")
+        prog="percuss info", epilog=EPILOG, formatter_class=HelpFormatter,
+        description="Print tables of the history of a run.")
     add = parser.add_argument
     add("dir", metavar="DIR", help="the output folder of a run, complete or under way")
     add("--energies", action="store_true", help="energies of the scene, of parts and of blocks")

@@ -181,8 +181,8 @@ class Plot(unittest.TestCase):
 
     def test_examples_of_the_help_name_columns_that_a_run_has(self):
         done = self.plot("--help")
-        self.assertTrue(done.stdout.startswith("usage: percuss plot "), done.stdout)
-        examples = done.stdout.split("examples:\n")[1].split("\n\n")[0]
+        self.assertTrue(done.stdout.startswith("Usage: percuss plot "), done.stdout)
+        examples = done.stdout.split("Examples:\n")[1].split("\n\n")[0]
         columns = ["time", "wall_force_z", *(f"f{axis}:impact" for axis in "xyz"), *self.run_.history]
         history = History(columns, np.ones((3, len(columns))))
         for line in examples.splitlines():

@@ -42,9 +42,9 @@ class Tools(unittest.TestCase):
             for words in (["plot", "--help"], ["help", "plot"]):
                 done = self.call(program, *words)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
-                self.assertIn("usage: percuss plot", done.stdout)
-            self.assertIn("usage: percuss check --report", self.call(program, "check", "--report", "--help").stdout)
-            self.assertIn("usage: percuss info", self.call(program, "info", "--forces", "--help").stdout)
+                self.assertIn("Usage: percuss plot", done.stdout)
+            self.assertIn("Usage: percuss check --report", self.call(program, "check", "--report", "--help").stdout)
+            self.assertIn("Usage: percuss info", self.call(program, "info", "--forces", "--help").stdout)
 
     def test_says_what_it_misses_beside_an_executable_alone(self):
         alone = shutil.copy(PERCUSS, os.path.join(self.folder, "percuss"))
@@ -57,13 +57,13 @@ class Tools(unittest.TestCase):
             self.write(name, TRAP)
         if sys.version_info < (3, 11):
             self.skipTest("Python 3.10 looks in the current folder")
-        self.assertIn("usage: percuss plot", self.call(PERCUSS, "plot", "--help", PERCUSS_PYTHON=sys.executable).stdout)
+        self.assertIn("Usage: percuss plot", self.call(PERCUSS, "plot", "--help", PERCUSS_PYTHON=sys.executable).stdout)
 
     def test_takes_the_interpreter_that_has_the_libraries(self):
         poor = "#!/bin/sh\ncase \"$*\" in *--lacks*) exit 255;; esac\necho poor\n"
         self.write("python3", poor, 0o755)
         done = self.call(PERCUSS, "stop", "--help", PATH=f"{self.folder}:/usr/bin:/bin")
-        self.assertIn("usage: percuss stop" if os.access("/usr/bin/python3", os.X_OK) else "poor", done.stdout)
+        self.assertIn("Usage: percuss stop" if os.access("/usr/bin/python3", os.X_OK) else "poor", done.stdout)
         self.write("python3", poor.replace("255", "0"), 0o755)
         self.assertEqual(self.call(PERCUSS, "stop", "--help", PATH=f"{self.folder}:/usr/bin:/bin").stdout, "poor\n")
 

@@ -60,7 +60,7 @@ class Manual(unittest.TestCase):
 
     def test_explains_options_in_words(self):
         self.assertIn("Folder for the results (default: out/SCENE)", self.section("run"))
-        self.assertIn("filter all columns by a channel frequency class", self.section("plot"))
+        self.assertIn("Filter all columns by a channel frequency class", self.section("plot"))
         self.assertIn("OMP_NUM_THREADS", self.source)
         self.assertIn(".SH EXIT STATUS", self.source)
 

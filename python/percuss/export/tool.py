@@ -9,6 +9,7 @@ import sys
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, NoReturn
 
+from percuss.help_format import HelpFormatter
 from percuss.libraries import require
 from percuss.terminal import fail as end
 
@@ -21,19 +22,20 @@ NEEDS = ("numpy", "h5py")
 WISHES = ("scipy",)  # of the format exodus
 Files = Iterator[tuple[str, str | bytes]]  # their names and contents
 EPILOG = """\
-formats, written into DIR/export or the folder of --out:
+Formats, and what they write into DIR/export or the folder of --out:
   vtu      a file of VTK for each frame (ParaView, VisIt, PyVista)
   pvd      the same and a list of them with their times
   exodus   fields.e, Exodus II: all frames, parts as blocks with their names (ParaView, Cubit, SEACAS); needs SciPy
   d3plot   LS-DYNA's state database: d3plot, d3plot01 ... (LS-PrePost, META, Animator, lasso-python); parts by name,
            positions, velocities, stress, plastic strain, thickness, forces of beams, deletion
   csv      nodes and elements of each frame as tables
-  gltf     fields.glb: the surface with its motion, for browsers, slides and Blender
+  gltf     fields.glb: the surface with its motion, for browsers, slides and
+           Blender
 
-examples:
+Examples:
   percuss export ball --format d3plot
-  percuss export ball --format pvd --frames 0..30:5 --field velocity,von_mises
-  percuss export ball --format gltf --field equivalent_plastic_strain --out pictures
+  percuss export ball --format pvd --frames 0..30:5 --field velocity
+  percuss export ball --format gltf --field equivalent_plastic_strain
 
 Exit codes: 0 done; 2 a folder, a frame, a field or an option is wrong, or a library is missing;
 4 a file cannot be written.
@@ -44,8 +46,8 @@ scripts/install_dependencies --report installs them. See docs/export.md.
 
 def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
-        prog="percuss export", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="Writes the fields of a run in formats of other programs.")
+        prog="percuss export", epilog=EPILOG, formatter_class=HelpFormatter,
+        description="Write the fields of a run in formats of other programs.")
     add = parser.add_argument
     add("dir", metavar="DIR", help="the output folder of a run, complete or under way")
     add("--format", choices=FORMATS, required=True, help="what is written")

@@ -3,6 +3,7 @@
 import argparse
 import sys
 
+from percuss.help_format import HelpFormatter
 from percuss.libraries import require
 
 NEEDS = ("yaml",)
@@ -22,13 +23,18 @@ The message says what --allow would do instead, card by card:
   --allow 'CONTACT.*,HOURGLASS*'    patterns, several with commas
   --allow all                       accept every documented approximation; read the report
 
-examples:
+If the folder holds an imported deck, nothing is changed unless --force is
+given: deck.yaml may have been edited since.
+
+Examples:
   percuss import car.k --out car --units 'mm, t, s'
   percuss run car/deck.yaml
 
-If the folder holds an imported deck, nothing is changed unless --force is given: deck.yaml may have been edited since.
+Exit codes:
+  0    done
+  2    the deck or an option is wrong, or percuss check refuses the result
+  4    a file cannot be written
 
-Exit codes: 0 done; 2 the deck or an option is wrong, or percuss check refuses the result; 4 a file cannot be written.
 Needs Python 3.10 with PyYAML. docs/import.md has the table of cards.
 """
 
@@ -37,8 +43,8 @@ def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="percuss import",
         epilog=EPILOG,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="Converts an LS-DYNA or Abaqus model to a percuss deck.",
+        formatter_class=HelpFormatter,
+        description="Convert an LS-DYNA or Abaqus model to a deck.",
     )
     add = parser.add_argument
     add("model", metavar="MODEL", help="the model, of LS-DYNA or Abaqus")

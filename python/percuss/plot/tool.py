@@ -7,6 +7,7 @@ import os
 import sys
 from typing import TYPE_CHECKING, NoReturn
 
+from percuss.help_format import HelpFormatter
 from percuss.libraries import require
 from percuss.terminal import fail as end
 
@@ -21,11 +22,14 @@ ENDINGS = (".png", ".svg", ".csv")
 OTHER_ENDINGS = (".pdf", ".eps", ".ps", ".jpg", ".jpeg", ".gif", ".tif", ".tiff", ".bmp", ".webp", ".txt", ".dat",
                  ".xls", ".xlsx", ".html")
 EPILOG = """\
-WHAT is drawn, a panel for each word; by default energies, their error, momentum, forces, the time step with the part
-that controls it, contact and its penetration:
-  a panel    energies, energy_error, momentum, forces, step, contact, penetration, iterations, contact_pairs,
-             kinetic_by_part, internal_by_part, erosion, angular
-  a column   of history.csv, such as kinetic; --list names those of a run; =contact where a panel has its name
+WHAT is drawn, a panel for each word. By default these are energies, their
+error, momentum, forces, the time step with the part that controls it, contact
+and its penetration:
+  a panel    energies, energy_error, momentum, forces, step, contact,
+             penetration, iterations, contact_pairs, kinetic_by_part,
+             internal_by_part, erosion, angular
+  a column   of history.csv, such as kinetic; --list names those of a run;
+             =contact where a panel has its name
   a pattern  'f?:impact' overlays all columns that match
   several    kinetic,internal overlays both
   an expression of columns, with a label or not: 'crush = integral(wall_force_z, top_z) / 1e3'. It may have + - * / **,
@@ -33,17 +37,17 @@ that controls it, contact and its penetration:
              over time without x; resultant('hit') of fx:hit, fy:hit, fz:hit; distance('a', 'b') of two history nodes;
              cfc(y, 600)
 
-Warnings of the run are dashed lines at the time at which they were first found, with numbers; their names are printed.
-Curves of several folders are overlaid, each run in a style of its own.
+An expression may have:
+  + - * / ** ( ) abs sqrt exp log sin cos tan min max
+  first last change mean norm
+  integral(y, x) and derivative(y, x), over time without x
+  resultant('hit'), of fx:hit, fy:hit, fz:hit
+  distance('a', 'b') of two history nodes
+  cfc(y, 600)
 
-examples:
-  percuss plot ball                            the default, into ball/plot.png and ball/plot.svg
-  percuss plot ball ball_fine energies step    two runs overlaid
-  percuss plot ball 'f?:impact' --to 1e-4      the start only
-  percuss plot can wall_force_z --cfc 600      filtered according to SAE J211
-  percuss plot ball --units 'mm, kg, ms'       kN, GPa and J
-  percuss plot box wall_force_z --x top_z      force over displacement
-  percuss plot ball --list                     columns with their units and meanings
+Warnings of the run are dashed lines at the time at which they were first found,
+with numbers; their names are printed. Curves of several folders are overlaid,
+each run in a style of its own.
 
 Exit codes: 0 done; 2 a folder, a column or an option is wrong, or a library is missing.
 Needs Python 3 with NumPy and Matplotlib, and h5py for units and parts:
@@ -54,8 +58,8 @@ See docs/results.md; docs/output.md describes the columns.
 
 def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
-        prog="percuss plot", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="Plots DIR/history.csv of one run or several to plot.png and plot.svg.")
+        prog="percuss plot", epilog=EPILOG, formatter_class=HelpFormatter,
+        description="Plot columns of history.csv for one or more runs, to plot.png and plot.svg.")
     add = parser.add_argument
     add("words", metavar="DIR|WHAT", nargs="+",
         help="output folders of runs, complete or under way; any other word says what to plot")

@@ -7,6 +7,7 @@ import sys
 import tempfile
 from typing import NoReturn
 
+from percuss.help_format import HelpFormatter
 from percuss.libraries import require
 
 NEEDS = ("numpy", "h5py", "matplotlib")
@@ -17,9 +18,10 @@ take some seconds. The page shows the bodies by part, with sets, conditions, wal
 overlaps and gaps in red. It lists mass, extent, step by part, predicted steps, run time, memory and disk,
 and all warnings of check.
 
-examples:
-  percuss check --report deck.yaml                          writes SCENE_check.html into the current folder
-  percuss check deck.yaml --report --out before.html --set 'parts.rod.cylinder.cells=[16, 64]'
+Examples:
+  percuss check --report deck.yaml      writes SCENE_check.html here
+  percuss check deck.yaml --report --out before.html \\
+                --set 'parts.rod.cylinder.cells=[16, 64]'
 
 Exit codes: 0 done; 2 the deck, a mesh or the command is wrong (a page is written only for overlap that the deck
 refuses); 4 the system failed. Needs what percuss report needs: scripts/install_dependencies --report.
@@ -28,8 +30,8 @@ refuses); 4 the system failed. Needs what percuss report needs: scripts/install_
 
 def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
-        prog="percuss check --report", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="Writes a page about a scene before it runs.")
+        prog="percuss check --report", epilog=EPILOG, formatter_class=HelpFormatter,
+        description="Write a page about a scene before it runs.")
     add = parser.add_argument
     add("deck", metavar="DECK", help="the deck (YAML)")
     add("--report", action="store_true", help="write the page (what this program does)")

@@ -6,6 +6,7 @@ import subprocess
 from typing import NoReturn
 
 from percuss.display import NoDisplay, open_display
+from percuss.help_format import HelpFormatter
 from percuss.libraries import MissingLibrary, require
 from percuss.terminal import fail as end
 
@@ -14,28 +15,36 @@ WARNING_OF_PARAVIEW = (", which removes the package python3-paraview (on Debian 
 
 NEEDS = ("h5py", "numpy", "PIL.Image", "vtkmodules.vtkRenderingOpenGL2")
 EPILOG = """\
-examples:
-  percuss render build/demo                              every frame and an animation, into build/demo
-  percuss render build/demo --frame -1 --size 1920x1080  the last frame only
-  percuss render build/demo --field velocity --range 0:200 --view 130:15
-  percuss render build/demo --part-colors --clip y=0.5   parts apart, cut open at y = 0.5
-  percuss render build/demo --part rod --frame -1        the rod alone
-  percuss render build/demo --follow rod --video mp4     the camera goes with the rod; a film
-  percuss render can --mirror                            the other half, by the deck's symmetry
-  percuss render soft --beside stiff --frame -1          two runs in one picture
-  percuss render build/demo --look-at 0:0:0.6 --zoom 3   three times as large, around (0, 0, 0.6)
-
-Needs Python 3 with VTK 9, h5py, NumPy and Pillow, and Xvfb where there is no display:
-scripts/install_dependencies --render installs all of it. On Debian 12 and 13 its python3-vtk9 and ParaView's
-python3-paraview exclude each other: apt removes one to install the other.
+Writes DIR/frame_0000.png ... and DIR/animation.gif from DIR/fields.vtkhdf.
 ParaView opens DIR/fields.xdmf2.
+
+Examples:
+  percuss render wall                               every frame, an animation
+  percuss render wall --frame -1 --size 1920x1080   the last frame only
+  percuss render wall --field velocity --range 0:200 --view 130:15
+  percuss render wall --part-colors --clip y=0.5    parts apart, cut open
+  percuss render wall --part rod --frame -1         the rod alone
+  percuss render wall --follow rod --video mp4      the camera goes with the rod
+  percuss render can --mirror                       by the deck's symmetry
+  percuss render soft --beside stiff --frame -1     two runs in one picture
+  percuss render wall --look-at 0:0:0.6 --zoom 3    three times as large
+
+Exit codes:
+  0    done
+  2    a folder, a field or an option is wrong, a library is missing, or no
+       picture can be written
+
+Needs Python 3 with VTK 9, h5py, NumPy and Pillow, and Xvfb where there is no
+display: scripts/install_dependencies --render installs all of it. On Debian 12
+and 13 its python3-vtk9 and ParaView's python3-paraview exclude each other: apt
+removes one to install the other. docs/output.md describes the pictures.
 """
 
 
 def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
-        prog="percuss render", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="Renders DIR/fields.vtkhdf to DIR/frame_0000.png ... and DIR/animation.gif.")
+        prog="percuss render", epilog=EPILOG, formatter_class=HelpFormatter,
+        description="Draw pictures and an animation of the fields of a run.")
     add = parser.add_argument
     add("dir", metavar="DIR", help="the output folder of a run (or a fields.vtkhdf)")
     add("--out", metavar="FOLDER", help="where the pictures go (default: DIR); with one --frame also a FILE.png")

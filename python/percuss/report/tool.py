@@ -4,6 +4,7 @@ import argparse
 import os
 from typing import NoReturn
 
+from percuss.help_format import HelpFormatter
 from percuss.libraries import require
 from percuss.terminal import fail as end
 
@@ -24,18 +25,30 @@ examples:
   percuss report ball --units 'mm, kg, ms'                  numbers, plots, pictures and view in kN, GPa and J
   percuss report out/* --no-pictures --no-view              numbers and curves only: no VTK needed
 
-The deck is what was run, with what --set changed: the run keeps it in summary.json and in its checkpoint.
+Examples:
+  percuss report ball                             writes ball/report.html
+  percuss report ball --field velocity            colours show the speed
+  percuss report ball ball_fine --out finer.html  a comparison
+  percuss report box --plot 'crush = resultant("crush")' --x 'change(-sled_z)'
+  percuss report ball --units 'mm, kg, ms'        all values in kN, GPa and J
+  percuss report out/* --no-pictures --no-view    no VTK needed
 
-Exit codes: 0 done; 2 a folder, a field or an option is wrong, or a library is missing.
-Needs Python 3 with NumPy, h5py, Matplotlib and YAML, and for pictures and view VTK 9, Pillow, Xvfb and three.js:
-scripts/install_dependencies --report installs all of it. Where VTK or three.js is missing, the page says so.
+Exit codes:
+  0    done
+  2    a folder, a field or an option is wrong, a library is missing, or the
+       page cannot be written
+
+Needs Python 3 with NumPy, h5py, Matplotlib and YAML, and for pictures and view
+VTK 9, Pillow, Xvfb and three.js: scripts/install_dependencies --report installs
+all of it. Where VTK or three.js is missing, the page says so.
+docs/results.md describes the page.
 """
 
 
 def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
-        prog="percuss report", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="Writes DIR/report.html about a run; of several runs a comparison.")
+        prog="percuss report", epilog=EPILOG, formatter_class=HelpFormatter,
+        description="Write one page about a run, or a comparison of several runs.")
     add = parser.add_argument
     add("dirs", metavar="DIR", nargs="+", help="output folders of runs, complete or under way")
     add("--out", metavar="FILE", help="the page (default: report.html in the first DIR; of several comparison.html)")

@@ -9,6 +9,7 @@ import subprocess
 import sys
 from typing import TYPE_CHECKING, Any, NoReturn
 
+from percuss.help_format import HelpFormatter
 from percuss.libraries import require
 from percuss.terminal import fail as end
 from percuss.tools import start_tool
@@ -38,11 +39,12 @@ A finished design is not run again: it is known by the values of its deck and by
 interrupt stops the runs with checkpoints; the same command goes on.
 A design that is refused or fails is a row of the table.
 
-examples:
-  percuss sweep tube.yaml --vary parts.tube.thickness=1e-3,2e-3,3e-3 --output 'crush = mean(fz:crush)'
-  percuss sweep tube.yaml --vary a.b=5..9 --vary c=1..2 --sample lhs:40 --reports
+Examples:
+  percuss sweep tube.yaml --vary parts.tube.thickness=1e-3,2e-3,3e-3 \\
+                          --output 'crush = mean(fz:crush)'
+  percuss sweep tube.yaml --vary a.b=5..9 --vary c=1..2 --sample lhs:40
   percuss sweep tube.yaml --designs designs.csv --out study
-  percuss sweep tube.yaml --vary a.b=5..9:20 --threads 8 --job-array > sweep.sh     a job array of Slurm
+  percuss sweep tube.yaml --vary a.b=5..9:20 --threads 8 --job-array > sweep.sh
 
 Exit codes: 0 the table is written; 2 an option, the deck or an expression is wrong, or a library is missing; 3 no
 design has completed; 130 interrupted.
@@ -53,8 +55,8 @@ See docs/sweep.md.
 
 def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
-        prog="percuss sweep", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="Runs a deck with many values, and writes a table and a page about the results.")
+        prog="percuss sweep", epilog=EPILOG, formatter_class=HelpFormatter,
+        description="Run a deck with many values, and compare the results in a table and a page.")
     add = parser.add_argument
     add("deck", metavar="DECK", help="the deck")
     add("--vary", metavar="KEY=VALUES", action="append", default=[], help="a key and its values; may be repeated")

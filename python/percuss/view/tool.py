@@ -4,6 +4,7 @@ import argparse
 import os
 from typing import NoReturn
 
+from percuss.help_format import HelpFormatter
 from percuss.libraries import require
 from percuss.terminal import fail as end
 
@@ -16,19 +17,29 @@ The key h lists the keys.
 A surface that is too large has fewer arrows, no inside of solids, fewer frames, only parts that move, fewer elements,
 in this order; page and command say so. Without WebGL the page draws plain pictures.
 
-examples:
-  percuss view ball                                       writes ball/view.html
+A surface that is too large is reduced, in this order: fewer arrows, no inside
+of solids, fewer frames, only parts that move, fewer elements. The page and the
+command say so.
+
+Examples:
+  percuss view ball                               writes ball/view.html
   percuss view ball --field von_mises,velocity --part plate
 
-Exit codes: 0 done; 2 a folder, a field or an option is wrong, or a library is missing; 4 the page cannot be written.
-Needs Python 3 with NumPy, h5py and Matplotlib, and three.js: scripts/install_dependencies --report installs them.
+Exit codes:
+  0    done
+  2    a folder, a field or an option is wrong, or a library is missing
+  4    the page cannot be written
+
+Needs Python 3 with NumPy, h5py and Matplotlib, and three.js:
+scripts/install_dependencies --report installs them.
+docs/results.md describes the page.
 """
 
 
 def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
-        prog="percuss view", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="Writes DIR/view.html, the surface of a run to turn with the mouse over time.")
+        prog="percuss view", epilog=EPILOG, formatter_class=HelpFormatter,
+        description="Write the surface of a run over time as an interactive page.")
     add = parser.add_argument
     add("dir", metavar="DIR", help="the output folder of a run, complete or under way")
     add("--out", metavar="FILE", help="the page (default: view.html in DIR)")

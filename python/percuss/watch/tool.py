@@ -9,6 +9,7 @@ import sys
 import time
 from typing import TYPE_CHECKING
 
+from percuss.help_format import HelpFormatter
 from percuss.terminal import fail
 
 if TYPE_CHECKING:
@@ -27,10 +28,11 @@ It reads these files of DIR, and never the deck's own file:
   history.csv     the values
   summary.json    status, end time, warnings, and the deck as it was run
   columns.json    units
-  run.lock        whether the run goes on
-  checkpoint.h5, fields.vtkhdf    the deck, title and units, where the files above do not have them
+  run.lock        whether the run is active
+  checkpoint.h5, fields.vtkhdf    the deck, title and units, where the files
+                  above do not have them
 
-examples:
+Examples:
   percuss watch wall                          until the run ends
   percuss watch wall --once                   the state now
   ssh cluster percuss watch scratch/wall
@@ -44,8 +46,8 @@ Needs Python 3 alone.
 
 def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
-        prog="percuss watch", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="Shows a run in the terminal until it ends.")
+        prog="percuss watch", epilog=EPILOG, formatter_class=HelpFormatter,
+        description="Follow a run in the terminal until it ends.")
     add = parser.add_argument
     add("dir", metavar="DIR", help="the output folder of a run, under way or complete")
     add("--once", action="store_true", help="show the state once and end")

@@ -270,7 +270,7 @@ TEST(PercussHelp, IsThatOfTheToolItself) {
        {"plot", "report", "watch", "stop", "render", "import", "view", "export", "sweep", "build-law"}) {
     const ProcessResult help = run_percuss({"help", tool});
     EXPECT_EQ(help.exit_code, 0) << help.err;
-    EXPECT_THAT(help.out, testing::StartsWith(std::string("usage: percuss ") + tool + " ")) << help.err;
+    EXPECT_THAT(help.out, testing::StartsWith(std::string("Usage: percuss ") + tool + " ")) << help.err;
     EXPECT_EQ(help.out, run_percuss({tool, "--help"}).out);
   }
 }
