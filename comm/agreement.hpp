@@ -16,7 +16,7 @@
 
 namespace percuss {
 
-/// What went wrong on a rank.
+/// A failure on a rank.
 struct Failure {
   int code = 0;  // its kind, as the caller counts kinds
   std::string text;

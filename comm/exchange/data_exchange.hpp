@@ -17,7 +17,7 @@
 
 namespace percuss {
 
-/// What was sent to other ranks.
+/// Messages and bytes sent to other ranks.
 struct Traffic {
   std::int64_t messages = 0;
   std::int64_t bytes = 0;

@@ -23,7 +23,7 @@ class RcbError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What a bisection did; the same on every rank.
+/// Result of a bisection; the same on every rank.
 struct RcbReport {
   std::int64_t points = 0;
   std::int64_t weight = 0;

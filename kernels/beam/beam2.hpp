@@ -24,7 +24,7 @@ struct BeamRates {
   T stretch, shear_y, shear_z, twist, curvature_y, curvature_z;
 };
 
-/// What is conjugate to them, over the section.
+/// Forces and moments conjugate to these rates, over the section.
 template <class T>
 struct BeamForces {
   T normal, shear_y, shear_z, torque, moment_y, moment_z;

@@ -6,7 +6,7 @@
 
 namespace percuss {
 
-/// What the pass reads of beams.
+/// Inputs of the failure pass over beams.
 struct JudgedBeams {
   Kokkos::View<BeamParameters*, MemSpace> parameters;  // of BeamBlock
   double time = 0;                                     // at n+1

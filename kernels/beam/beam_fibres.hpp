@@ -127,7 +127,7 @@ KOKKOS_INLINE_FUNCTION double find_fibre_strain(const BeamFibre& fibre, const Be
   return strain.stretch + fibre.z * strain.curvature_y - fibre.y * strain.curvature_z;
 }
 
-/// What a fibre adds to normal force and moments.
+/// Adds normal force and moments of a fibre.
 KOKKOS_INLINE_FUNCTION void add_fibre(const BeamFibre& fibre, double stress, BeamForces<double>& f) {
   f.normal += fibre.area * stress;
   f.moment_y += fibre.area * stress * fibre.z;

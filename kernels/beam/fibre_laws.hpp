@@ -16,7 +16,7 @@ template <class Law>
 struct IsFibreLaw : std::bool_constant<FlowLaw<Law>> {};
 using FibreLaws = FilterList<Materials, IsFibreLaw>::type;
 
-/// What the fibres of a section share in a step.
+/// Data of a step that the fibres of a section share.
 struct FibreStep {
   double youngs_modulus = 0, density = 0, dt = 0;
 };

@@ -5,7 +5,7 @@
 
 namespace percuss {
 
-/// What the record of any element begins with.
+/// Begin of the record of any element.
 struct CommonRecord {
   static constexpr int mass = 0;
 };

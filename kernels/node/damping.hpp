@@ -19,7 +19,7 @@ struct DampedMotion {
   Array<const int> tensor_row{};  // find_damping_impulses() leaves nodes alone whose row is not negative; empty: none
 };
 
-/// What takes part in the damping of a step.
+/// Inputs of the damping of a step.
 struct DampingStep {
   Array<const double> coefficients;  // c by row, at least 0 [1 / time]
   double dt_mean = 0;

@@ -32,7 +32,7 @@ KOKKOS_INLINE_FUNCTION double predict(double v, double force, double inverse_mas
   return inverse_mass > 0 ? v + dt_mean * (force * inverse_mass + gravity) : v;
 }
 
-/// What predict_velocities() does to a node.
+/// Step of predict_velocities() for one node.
 struct Predictor {
   NodeForces forces;
   double dt_mean;

@@ -20,7 +20,7 @@ struct Gravity {
 void assemble_slots(const ExecSpace& space, const NodeSlots& nodes_to_slots, const Rows3<const double>& slot_force,
                     const Rows3<double>& force);
 
-/// What drives the nodes at n.
+/// Forces and masses of the nodes at n.
 struct NodeForces {
   NodeSlots nodes_to_slots;
   Rows3<const double> slot_force;

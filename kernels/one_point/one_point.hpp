@@ -128,7 +128,7 @@ PERCUSS_FORCE_INLINE OnePointViscosity<T> find_viscosity(const SolidParameters<M
   return {length, find_viscous_pressure(par.viscosity, density, length, speed, trace_d)};
 }
 
-/// What the material gets of the step.
+/// Motion of the material point in the step.
 template <class T, class Material, class State>
 PERCUSS_FORCE_INLINE PointMotion<T> make_point_motion(const SolidParameters<Material>& par, const Symmetric3<T>& de,
                                                       const T& dt, [[maybe_unused]] const OnePointViscosity<T>& viscous,
@@ -143,7 +143,7 @@ PERCUSS_FORCE_INLINE PointMotion<T> make_point_motion(const SolidParameters<Mate
   return point;
 }
 
-/// What an element is at n+1, before its forces.
+/// State of an element at n+1, before its forces.
 template <class T, class Shape>
 struct OnePointPoint {
   CornerGradient<T, Shape> geometry;

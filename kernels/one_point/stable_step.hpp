@@ -61,7 +61,7 @@ PERCUSS_FORCE_INLINE T find_thickness(const GradientSizes<T>& size, const T& vol
   return T(2) * volume / square_root(size.largest);
 }
 
-/// What resists the motion of the element.
+/// Stiffness of an element against its motion.
 template <class T>
 struct OnePointStiffness {
   T lambda, mu;  // of the material; lambda >= 0

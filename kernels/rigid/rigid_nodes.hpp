@@ -42,7 +42,7 @@ struct RigidLoads {
   std::vector<int> first;  // [bodies + 1]
 };
 
-/// What acts on nodes, by slots, and their places at n.
+/// Forces on nodes, by slots, and their places at n.
 struct NodalForces {
   NodeSlots nodes_to_slots;
   Rows3<const double> force, moment;  // [slots]; moment: empty without rotations of nodes

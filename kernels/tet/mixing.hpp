@@ -107,7 +107,7 @@ struct MeanRate {
   T deviator_share;
 };
 
-/// What a node has on average: the stress and the moduli.
+/// Averages of stress and moduli at a node.
 template <class T>
 struct TetMeans {
   Symmetric3<T> stress;

@@ -41,7 +41,7 @@ struct TetWork {
   }
 };
 
-/// What an element is at n+1, before its forces.
+/// State of an element at n+1, before its forces.
 template <class T>
 struct TetPoint {
   TetGeometry<T> geometry;

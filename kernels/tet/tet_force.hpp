@@ -8,7 +8,7 @@
 
 namespace percuss {
 
-/// What a pass reads besides chunks and records.
+/// Inputs of a pass besides chunks and records.
 struct TetStep {
   ElementMotion motion;
   TetLaunch launch;

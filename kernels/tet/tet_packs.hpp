@@ -12,7 +12,7 @@
 
 namespace percuss {
 
-/// What a pass reads of a block in a step.
+/// Inputs of a pass for a block in a step.
 template <class Block>
 struct PassStep : BlockStep<Block> {
   TetLaunch launch;
@@ -41,7 +41,7 @@ struct MixedScratch : SolidScratch {
     for (int k = 0; k < GivenRow; ++k) end[k] = 0;
   }
 
-  /// What a pack gives, its first element first.
+  /// Values that a pack gives to nodes, its first element first.
   PERCUSS_FORCE_INLINE double* find_given(const ChunkPack& pack) const { return given + pack.first * GivenRow; }
 
   /// Elements that died give nothing.

@@ -8,7 +8,7 @@
 
 namespace percuss {
 
-/// What of a box is chosen.
+/// Parameters of a box.
 struct BoxPlan {
   int cells = 8;        // along each edge of length 1
   int chunk_cells = 8;  // likewise of a chunk; divides cells

@@ -117,7 +117,7 @@ void check_relaxation(const Deck& deck, const ChunkedMesh& chunked, const Model&
   const Relaxation relaxation(deck, chunked, model, contact, state);
 }
 
-/// What limits the first step.
+/// Name of what limits the first step.
 std::string name_controller(const ChunkedMesh& chunked, const Model& model, const State& state,
                             const Stepper& stepper) {
   if (const Approach* const approach = stepper.find_limiting_approach(state))
@@ -134,7 +134,7 @@ double find_undamped_step(const Deck& deck, const State& state, const Stepper& s
   return step > state.next_dt ? step : 0;
 }
 
-/// What the model tells of the scene.
+/// Adds the notes of the model.
 void add_notes(const ChunkedMesh& chunked, const Model& model, const Stepper& stepper, SceneReport& scene) {
   scene.mesh_notes = chunked.mesh.notes;
   for (const std::string& note : model.mass_notes) scene.mesh_notes.push_back(note);
@@ -159,7 +159,7 @@ StartState make_checked_state(const Deck& deck, const ChunkedMesh& chunked, cons
   return start;
 }
 
-/// What each entry of output.field_outputs shows. Collective.
+/// Sizes of each entry of output.field_outputs. Collective.
 std::vector<FieldOutputSize> find_sizes(const Deck& deck, const ChunkedMesh& chunked, const Communicator& ranks) {
   std::vector<FieldOutputSize> sizes;
   for (const FieldsDeck& fields : deck.output.field_outputs) {
@@ -170,7 +170,7 @@ std::vector<FieldOutputSize> find_sizes(const Deck& deck, const ChunkedMesh& chu
   return sizes;
 }
 
-/// What a run would write. Collective.
+/// Adds the files that a run would write. Collective.
 void add_output(const HistoryScene& of, const Communicator& ranks, SceneReport& scene) {
   scene.field_outputs = find_sizes(of.deck, of.chunked, ranks);
   if (of.deck.output.history_every) scene.columns = History::list_columns(of);

@@ -16,7 +16,7 @@ void add_end(const SpringEndDeck& end, std::vector<Selector>& chosen) {
   if (!end.point) chosen.push_back(end.where);
 }
 
-/// What names nodes that follow something else than their elements.
+/// Selectors of nodes that follow something else than their elements.
 std::vector<Selector> list_holders(const Deck& deck) {
   std::vector<Selector> chosen;
   for (const RigidSetDeck& set : deck.rigid_sets) chosen.push_back(set.where);

@@ -123,7 +123,7 @@ std::vector<Warning> check_curve_end(const CheckedScene& scene);
 std::vector<Warning> check_curve_time(const CheckedScene& scene);
 std::vector<Warning> check_short_pulse(const CheckedScene& scene);
 
-// What acts on nothing or stops everything (load_rules.cpp)
+// Loads that act on nothing, or stop everything (load_rules.cpp).
 std::vector<Warning> check_idle_loads(const CheckedScene& scene);
 std::vector<Warning> check_flat_membranes(const CheckedScene& scene);
 std::vector<Warning> check_symmetry_planes(const CheckedScene& scene);

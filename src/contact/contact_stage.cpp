@@ -115,7 +115,7 @@ void ContactStage::Impl::forget_spring_energy() {
     if (held.extent(0) > 0) set_values(held, 0.0);
 }
 
-/// What the last step did says nothing about this one.
+/// Discards results of the last step that say nothing about this one.
 void ContactStage::Impl::forget_last_step() {
   last = {};
   touches_last = same_steps = 0;

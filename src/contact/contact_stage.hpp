@@ -67,7 +67,7 @@ class ContactStage {
   /// parts that cross without contact.
   const std::vector<std::string>& start_notes() const;
 
-  /// What prepare() found, of all ranks; empty before it.
+  /// Overlap that prepare() found, of all ranks; empty before it.
   const StartOverlap& start_overlap() const;
 
   /// Measures the ties of the start. Collective.
@@ -160,7 +160,7 @@ class ContactStage {
   /// for copies of nodes that other ranks own. After prepare(). Not collective.
   std::vector<double> contact_ranks() const;
   ContactClocks clocks() const;
-  /// What this rank sent since the start.
+  /// Messages of this rank since the start.
   Traffic traffic() const;
 
   /// Deepest penetration of any contact node behind a face that it touches or has entered, at positions x, relative to

@@ -84,7 +84,7 @@ void ContactStage::Impl::restore_surface() {
 
 void ContactStage::restore_surface() { impl_->restore_surface(); }
 
-/// What acts now and did not before.
+/// Pairs and walls that act now and did not before.
 BornContact ContactStage::Impl::list_born(const ActiveContact& before) const {
   const auto is_born = [](const std::vector<char>& then, const std::vector<char>& now, std::size_t i) {
     return now[i] != 0 && then[i] == 0;

@@ -64,7 +64,7 @@ struct PlaceDeck {
     std::string set;             // "part/set", instead
     Place place;
   };
-  /// What they rest on.
+  /// Wall or part on which parts are placed.
   struct Support {
     std::string wall, part;  // one of both
     double clearance = 0;    // [length]

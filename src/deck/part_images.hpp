@@ -46,7 +46,7 @@ inline TurnMatrix make_reflection(const Vec3& n) {
   return m;
 }
 
-/// What an image does to directions.
+/// Matrix by which an image maps directions.
 inline TurnMatrix find_matrix(const PartImage& image) {
   if (image.kind == PartImage::Kind::mirror) return make_reflection(image.way);
   return make_rotation(image.way, image.kind == PartImage::Kind::turn ? image.degrees : 0);

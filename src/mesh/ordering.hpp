@@ -44,7 +44,7 @@ struct ChunkedMesh {
   Numbering numbering;        // of the whole mesh, the same on every rank
 };
 
-/// What its elements have in common: the block of the first.
+/// Block of the elements of a chunk: that of the first.
 inline const ElementBlock& find_block(const ChunkedMesh& chunked, const Chunk& chunk) {
   return chunked.mesh.block_of(static_cast<std::size_t>(chunk.first_element));
 }

@@ -9,7 +9,7 @@
 
 namespace percuss {
 
-/// What a rank says of its run.
+/// Row of a rank in ranks.csv.
 struct RankRow {
   int rank = 0;
   std::int64_t elements = 0, nodes = 0;               // of the FE decomposition; copies of nodes included

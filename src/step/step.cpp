@@ -34,7 +34,7 @@ void mirror_followers(const State& state, const Rows3<double>& start) {
       });
 }
 
-/// What list() gives of each action, one after the other.
+/// Joins the lists of all actions, as list() gives them.
 template <class Item, class List>
 std::vector<Item> join_lists(const std::vector<Action*>& actions, const List& list) {
   std::vector<Item> all;

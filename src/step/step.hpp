@@ -110,7 +110,7 @@ class Stepper {
   double find_undamped_bound(const State& state) const;
   /// Force of walls on the scene in the last step, its contact impulses summed over dt; zero without walls. Collective.
   Vec3 find_wall_force() const { return bookkeeper_.find_wall_force(); }
-  /// What this rank has sent of the forces of shared nodes.
+  /// Messages of this rank with forces of shared nodes.
   Traffic traffic() const;
   /// Whether the step comes from the largest eigenvalue of the mesh; how often that was estimated and what it brought.
   bool estimates_steps() const { return global_ != nullptr; }

@@ -1,4 +1,4 @@
-// What one rank has seen, on all of them.
+// Agreement of all ranks on a failure of one.
 
 #include "comm/agreement.hpp"
 

@@ -92,7 +92,7 @@ std::string find_path(int descriptor) {
 
 enum class Fate { succeeds, fails, dies, is_lost };
 
-/// What becomes of this call.
+/// Fate of this call.
 Fate meet(const char* function, const std::string& path) {
   if (!plan().counts || plan().is_of_reads || !is_below_folder(path)) return Fate::succeeds;
   const long number = calls++;

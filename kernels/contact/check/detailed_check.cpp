@@ -8,7 +8,7 @@
 namespace percuss {
 namespace {
 
-/// What else is read of them.
+/// Further data of the faces.
 struct MeasuredFaces : ListedFaces {
   int back[4][lanes];                    // mesh nodes; behind faces that are not boxed the corners
   alignas(64) double offset[lanes];      // of the thickness of shells

@@ -126,7 +126,7 @@ void fill_blocks(const ConeProblem& p, const Array<ConeBlock>& blocks, const Arr
       });
 }
 
-/// What the sweeps need besides the problem.
+/// Data of the sweeps besides the problem.
 struct Sweeper {
   Sweeper(const ConeProblem& of, double tolerance)
       : problem(of),

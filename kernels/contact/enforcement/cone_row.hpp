@@ -87,7 +87,7 @@ KOKKOS_INLINE_FUNCTION void project_friction(const ConeProblem& problem, int row
     project_on_disc(find_limit(problem, row, z), z(f + 1), z(f + 2));
 }
 
-/// What a row does in an iterate.
+/// State of a row in an iterate.
 enum RowStatus : int { is_apart, sticks, slides };
 
 KOKKOS_INLINE_FUNCTION int find_status(const ConeProblem& problem, int row, const Array<double>& z) {

@@ -8,7 +8,7 @@
 
 namespace percuss {
 
-/// What one side got from the other in a step.
+/// Impulse and moment on one side from the other in a step.
 struct ForceSums {
   ExactSum impulse[3], moment[3];  // on the first side [force x time], and its moment
   ExactSum normal, tangential;     // magnitudes of the rows' pushes and of their friction; ties have neither

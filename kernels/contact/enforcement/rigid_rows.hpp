@@ -35,7 +35,7 @@ struct RigidRowList {
   std::vector<BodyResponse> responses;  // of all bodies
 };
 
-/// What becomes of a row of the list.
+/// Solution of a row of the list.
 struct RigidImpulse {
   RowImpulse impulse;
   int is_solved = 0;  // 0: it is iterated with the others

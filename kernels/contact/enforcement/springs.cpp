@@ -37,7 +37,7 @@ struct SpringMotion {
 KOKKOS_INLINE_FUNCTION SpringMotion find_motion(const ContactRow& row, const RowVelocities& v,
                                                 const SpringTimes& times) {
   const Point3 &last = v.last.work, &predicted = v.predicted.work;
-  // What moves a wall moved it likewise.
+  // The motion of a wall moved it likewise.
   const double drift = (row.gap - row.gap_start) / times.dt - dot(row.gap_gradient, predicted);
   const double depth = find_floor(row) - row.gap_start, of_wall = row.kind == RowKind::wall ? drift : 0;
   return {depth, depth + times.before() * (dot(row.gap_gradient, last) + drift), -dot(row.normal, last) - of_wall,

@@ -7,7 +7,7 @@
 
 namespace percuss {
 
-/// What the tied nodes of a rank hold.
+/// Strengths of the tied nodes of a rank.
 struct TieStrengths {
   Array<const int> law;                    // [ties] -1: does not fail
   Array<const ConnectionStrength> laws{};  // by law, of stresses

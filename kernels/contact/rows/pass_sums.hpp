@@ -44,7 +44,7 @@ struct EnergyUnit {
   }
 };
 
-/// What the rows request before the iteration.
+/// Gaps that the rows have to close before the iteration.
 struct PredictedGaps {
   double deepest = 0;        // largest penetration to be closed, but for springs [length]
   double farthest_tied = 0;  // largest distance of a tied node from its place, by component [length]
@@ -63,7 +63,7 @@ struct PredictedGaps {
   }
 };
 
-/// What one pass over the rows says about convergence.
+/// Measures of convergence, from one pass over the rows.
 struct PassSums {
   PredictedGaps gaps;          // before the first pass only
   double change = 0;           // largest change of an impulse as a displacement: |p' - y| dt D [length]
@@ -86,7 +86,7 @@ struct PassSums {
   }
 };
 
-/// What the impulses of a step did.
+/// Work and impulses of the rows of a step.
 struct EnforcementSums {
   std::int64_t pushes = 0;           // rows with a push; ties
   ExactSum normal_work;              // of the normal impulses

@@ -69,7 +69,7 @@ struct alignas(64) TouchPack {
   }
 };
 
-/// What rows of a pack come to, as ContactRow has it.
+/// Geometry of the rows of a pack, as in ContactRow.
 struct FilledRows {
   PackedPoint rho[TouchPack::bearing], arm, normal, tangent[2], force, couple;
   Symmetric3<Packed> inverse_inertia;

@@ -231,7 +231,7 @@ KOKKOS_INLINE_FUNCTION void set_arms(const Rows3<const double>& x, ContactRow& r
   row.inverse_inertia = invert(inertia);
 }
 
-/// What a row has of its touch as it is.
+/// Copies from its touch what a row keeps unchanged.
 KOKKOS_INLINE_FUNCTION void take_touch(const RowTouch& touch, ContactRow& row) {
   for (int slot = 0; slot < touch.count; ++slot) row.weight[slot] = touch.weight[slot];
   row.count = touch.count;

@@ -224,7 +224,7 @@ KOKKOS_INLINE_FUNCTION void set_frozen(RowPack& pack, int lane, const ContactRow
   set_lane(pack.previous, lane, {push, 0, 0});
 }
 
-/// What a row requests and begins with. In: RowPack::tilted.
+/// Target and first iterate of a row. In: RowPack::tilted.
 KOKKOS_INLINE_FUNCTION void set_state(RowPack& pack, int lane, const ContactRow& row) {
   if (is_frozen(row)) return set_frozen(pack, lane, row);
   if (pack.tilted != 0) set_lane(pack.gap_gradient, lane, row.gap_gradient);

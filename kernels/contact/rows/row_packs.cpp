@@ -22,7 +22,7 @@ KOKKOS_INLINE_FUNCTION void clear_lane(RowPack& pack, int lane, int nowhere) {
   pack.row[lane] = -1;
 }
 
-/// What a row is from the start.
+/// Copies the geometry of a row into its lane.
 KOKKOS_INLINE_FUNCTION void set_geometry(RowPack& pack, int lane, const ContactRow& row, int r,
                                          const Array<const int>& share_of_slot) {
   const int first = row.count == RowPack::bearing ? 1 : 0;

@@ -23,7 +23,7 @@ void pack_rows(const WorkSpace& space, RowSystem& system);
 /// RowPacks::dv.
 void move_nodes(const WorkSpace& space, double beta, const RowSystem& system);
 
-/// What a pass corrects by and is asked besides.
+/// Parameters of a pass, and units of its sums.
 struct PassQuery {
   double beta = 0, dt = 0;
   EnergyUnit unit{};       // of PassSums::backwards

@@ -62,7 +62,7 @@ KOKKOS_INLINE_FUNCTION RowTouch make_row_touch(const Touch& touch) {
   return row;
 }
 
-/// What the row of two edges takes over from the check.
+/// Touch of the row of two edges, from the check.
 KOKKOS_INLINE_FUNCTION RowTouch make_edge_row_touch(const EdgeTouch& touch) {
   RowTouch row;
   row.kind = RowKind::edges;
@@ -159,7 +159,7 @@ KOKKOS_INLINE_FUNCTION bool was_pushed(const Rows3<const double>& last_impulse, 
   return impulse.x != 0 || impulse.y != 0 || impulse.z != 0;
 }
 
-/// What rows read of the mesh.
+/// Inputs of the rows.
 struct RowInputs {
   SurfaceMotion motion;
   Rows3<const double> v_before;            // [mesh nodes][3]
@@ -215,7 +215,7 @@ struct RowSystem {
   Array<int> offset = Array<int>("contact::entry_offset", 0);  // [num_places() + 1]
   // row * row_nodes + slot; from num_rows * row_nodes on the remote entries. By node, ascending in the row's key.
   Array<int> entry = Array<int>("contact::entries", 0);
-  // What each entry adds to its node, as `entry` has them.
+  // Share of each entry in the sum of its node, in the order of `entry`.
   Rows4<double> shares = Rows4<double>("contact::shares", 0);
   Array<int> share_of_slot = Array<int>("contact::share_of_slot", 0);      // [rows * row_nodes] in shares, -1: no slot
   Array<int> share_of_remote = Array<int>("contact::share_of_remote", 0);  // [num_remote] likewise

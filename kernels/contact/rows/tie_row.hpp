@@ -28,7 +28,7 @@ KOKKOS_INLINE_FUNCTION TiedPlaces find_tied_places(const ContactRow& row, const 
   return places;
 }
 
-/// What a row of a tie is whatever it ties.
+/// Fills the part of a tie's row that does not depend on what it ties.
 KOKKOS_INLINE_FUNCTION void start_tie_row(const TieGeometry& tie, const RowTouch& touch, ContactRow& row) {
   for (int slot = 0; slot < touch.count; ++slot) row.weight[slot] = touch.weight[slot];
   row.count = touch.count;

@@ -35,7 +35,7 @@ struct NumberedOrder {
   std::vector<int> order;             // places in the query; empty: to be made
 };
 
-/// What a search leaves for the next one, and its memory.
+/// Scratch memory of a search, reused by the next one.
 struct BlockScratch {
   BlockTree tree;
   NumberedOrder point_order, box_order;

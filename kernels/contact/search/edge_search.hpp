@@ -57,7 +57,7 @@ struct EdgeSearchScratch {
   Array<int> mark = Array<int>("contact::edge_mark", 0);
 };
 
-/// What a search for edge pairs works on.
+/// Inputs of a search for edge pairs.
 struct EdgeQuery {
   EdgePointNames points;
   Rows3<const double> places;  // [points]

@@ -18,7 +18,7 @@ struct NearScratch {
   Array<int> nearness = Array<int>("contact::nearness", 0);       // [pairs]
 };
 
-/// What a list of near pairs is to serve.
+/// Limits of a list of near pairs.
 struct NearLimits {
   double travel = 0;      // of any node, those behind faces too, from its place of now [length]
   double most_pairs = 0;  // of which it still is worth it

@@ -56,7 +56,7 @@ KOKKOS_FORCEINLINE_FUNCTION std::uint32_t find_lanes_with_friction(const Array<c
 struct NodeFaceRule {
   ContactSurface surface;
 
-  /// What the rule asks of sixteen nodes.
+  /// Data of sixteen nodes that the rule needs.
   struct Lanes {
     LaneNumbers node, mesh_node;
     int first_pair[block_size];  // place in the table of pairs
@@ -103,7 +103,7 @@ struct EdgePairRule {
   EdgeSurface surface;
   Array<const int> edge_of_point;
 
-  /// What the rule asks of sixteen points.
+  /// Data of sixteen points that the rule needs.
   struct Lanes {
     LaneNumbers edge, kind, part;
     int first_pair[block_size];  // place in the table of pairs

@@ -153,7 +153,7 @@ struct UserHardening : UserFields {
   }
 
  private:
-  /// What the code answers.
+  /// Answer of the code.
   template <class T>
   struct Answer {
     T yield, by_strain, by_rate, by_temperature;

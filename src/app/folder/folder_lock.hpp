@@ -24,7 +24,7 @@ class FolderLock {
   FolderLock& operator=(const FolderLock&) = delete;
 
   const std::string& path() const { return path_; }
-  /// What the file holds; of this lock alone.
+  /// Content of the file, of this lock alone.
   const std::string& text() const { return text_; }
   /// Message for the user on a lock that was taken over; empty if there was none.
   const std::string& note() const { return note_; }

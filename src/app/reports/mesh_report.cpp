@@ -27,7 +27,7 @@ std::string place_error(const std::string& file, const std::string& text) {
   return text.substr(0, end) + ": error" + text.substr(end);
 }
 
-/// What `read` returns; its errors name the file.
+/// Returns what `read` returns; its errors name the file.
 template <class Read>
 auto name_file(const std::string& file, const Read& read) {
   try {

@@ -47,7 +47,7 @@ std::string format_parts(const SceneReport& scene) {
                                                  format_count(scene.bodies, "body", "bodies"), mass));
 }
 
-/// What the deck changes in the mesh.
+/// Changes of the mesh by the deck.
 std::string format_changes(const SceneReport& scene) {
   std::string text;
   for (const std::string& note : scene.mesh_notes) text += format_line(text.empty() ? "changed" : "", note);

@@ -114,7 +114,7 @@ void warn_of_fast_turns(const CheckedScene& scene, std::vector<Warning>& warning
   }
 }
 
-/// What keeps nodes from their velocity: InitialMeasures::condition.
+/// Names what keeps nodes from their velocity: InitialMeasures::condition.
 std::string describe_holding(const Deck& deck, int condition) {
   const auto c = static_cast<std::size_t>(condition);
   if (c < deck.conditions.size()) return "the condition at " + deck.where(deck.places.find(join_path("conditions", c)));

@@ -107,7 +107,7 @@ bool fails_by_strain(const FailureDeck& failure) {
          failure.johnson_cook || !failure.triaxiality.empty() || failure.shear;
 }
 
-/// Likewise by a stress.
+/// Whether a criterion of stress makes elements fail.
 bool fails_by_stress(const FailureDeck& failure) { return failure.principal_stress || failure.pressure; }
 
 /// The key by which a material loses force over a strain that no size of its elements scales; empty: none does.

@@ -163,7 +163,7 @@ ThinSide find_thin_side(const Shape& shape) {
   return {2 * cylinder->radius, cylinder->across};
 }
 
-/// What one layer of elements cannot do.
+/// Says what one layer of elements cannot represent.
 std::string describe_layer(const PartMeasures& part, bool is_cut) {
   if (is_cut) return "constant strain does not bend: tetrahedra are nearly twice too stiff, and yield too late";
   if (part.layered_wedges > 0)

@@ -95,7 +95,7 @@ void ApproachWatch::find_groups() {
   for (std::size_t i = 0; i < frictions_.size(); ++i) frictions_[i] = friction(i);
 }
 
-/// What does not change while the surface is the same.
+/// Measures what stays constant as long as the surface does.
 void ApproachWatch::measure_groups() {
   const OwnedContactNodes& nodes = share_.nodes;
   std::vector<double> values(3 * groups_.size(), lowest_number);  // -size, offset, part

@@ -29,7 +29,7 @@ class ApproachBound {
   /// Nothing can bound the step after this one.
   void clear() { next_ = {}; }
 
-  /// What bounds the next step, as was found last.
+  /// Bound of the next step, as found last.
   const Approach& next() const { return next_; }
 
   void archive(CheckpointArchive& archive) { archive_approach(archive, next_); }

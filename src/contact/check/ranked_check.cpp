@@ -214,7 +214,7 @@ std::vector<Record> RankedCheck::send_to_fe_owners(const CheckPart& part, std::v
   return send_to_partners(data_, ranks_.ranks.rank(), part.history.request, owners, std::move(records));
 }
 
-/// What the last check found, by (node, face).
+/// Touches that the last check found, by (node, face).
 std::vector<RankedCheck::TouchRecord> RankedCheck::list_touches() const {
   static_assert(sizeof(TouchRecord) == touch_bytes);
   std::vector<TouchRecord> records;

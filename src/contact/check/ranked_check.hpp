@@ -64,7 +64,7 @@ class RankedCheck {
   /// A touch on its way to the FE owner of its node.
   struct TouchRecord;
 
-  /// What the check of a list of pairs reads.
+  /// Data of the check of a list of pairs.
   struct CheckPart {
     MotionPart motion;
     ItemPart history;                                 // of searched nodes

@@ -43,7 +43,7 @@ class RankedEdgeCheck {
  private:
   struct TouchRecord;
 
-  /// What the check of a list of pairs reads.
+  /// Data of the check of a list of pairs.
   struct EdgePart {
     MotionPart motion;
     ItemPart history;  // of the edges A

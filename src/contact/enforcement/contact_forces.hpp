@@ -14,7 +14,7 @@
 
 namespace percuss {
 
-/// What one side got since the force was last taken.
+/// Impulse on one side since the force was last taken.
 struct ContactImpulse {
   Vec3 impulse{}, moment{};           // [force x time], [force x length x time]
   double normal = 0, tangential = 0;  // magnitudes of pushes and of friction, added up [force x time]

@@ -140,7 +140,7 @@ SideBits ForceSurfaces::answer_node(const Query& query, int node) const {
   return bits;
 }
 
-/// What this rank does not know itself.
+/// Asks other ranks for the sides that this rank does not know.
 void ForceSurfaces::ask_others(std::vector<RowSurfaces>& found) {
   std::vector<int> owners;
   std::vector<Query> asked;

@@ -33,7 +33,7 @@ struct RowMeeting {
   bool is_same = false;   // all ranks found what they did in the last step
 };
 
-/// What the rows of a step did, of all ranks.
+/// Sums of the rows of a step, of all ranks.
 struct RowOutcome {
   EnforcementSums sums;
   std::int64_t iterations = 0, failures = 0;  // failures: ranks whose iteration did not converge

@@ -39,7 +39,7 @@ void extend_runs(int rank, std::vector<PeerRun>& runs) {
   ++runs.back().count;
 }
 
-/// What goes to one rank, or comes from it.
+/// Entries that are sent to one rank, or received from it.
 struct Peer {
   std::vector<int> sent;
   std::vector<std::int64_t> key;

@@ -42,7 +42,7 @@ struct SharedEntry {
   int entry = -1;         // row * row_nodes + slot, of a row of this rank
 };
 
-/// What a rank sends in each swap, and receives.
+/// Entries that a rank sends and receives in each swap.
 struct SwapLists {
   std::vector<int> sent;          // [sent] row * row_nodes + slot
   std::vector<std::int64_t> key;  // [received] of the row

@@ -14,7 +14,7 @@ struct CrossingEdge {
   bool is_held = false;  // a tie, a constraint or a solid around it holds what goes through what
 };
 
-/// What a part is made of.
+/// Kinds of elements of the parts.
 struct PartKinds {
   std::vector<char> solid;        // [parts]
   std::vector<double> thickness;  // [parts] least of its shells, 0: it has none [length]

@@ -23,7 +23,7 @@ std::string describe_parts(std::vector<PartOverlap> parts, const Mesh& mesh) {
   return line;
 }
 
-/// What the nodes are inside of.
+/// Names what the nodes are inside of.
 const char* name_others(const std::vector<PartOverlap>& parts) {
   const auto is_wall = [](const PartOverlap& overlap) { return overlap.other < 0; };
   if (std::none_of(parts.begin(), parts.end(), is_wall)) return "another body";

@@ -25,7 +25,7 @@ struct TravellingEdge : FaceSide {
   Point3 x[2];
 };
 
-/// What a rank has of a body's faces.
+/// Faces of a body on a rank.
 struct BodyFaces {
   int body = 0, rank = 0;
   HostBox box;

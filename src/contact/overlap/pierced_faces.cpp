@@ -158,7 +158,7 @@ class PiercingLook {
   std::vector<Piercing> found_;
 };
 
-/// What a look at the faces of all ranks works with.
+/// Context of a search through the faces of all ranks.
 struct LookedThrough {
   const Communicator& ranks;
   const std::vector<BodyFaces>& bodies;

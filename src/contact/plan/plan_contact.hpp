@@ -19,7 +19,7 @@ struct PlannedTraffic {
   double messages = 0, bytes = 0;
 };
 
-/// What one rank would own and send for contact.
+/// Contact nodes, faces and messages of one planned rank.
 struct ContactRankPlan {
   std::int64_t nodes = 0, faces = 0;  // searched nodes and centres of searched faces that it owns
   std::int64_t faces_here = 0;        // faces whose capture boxes reach it
@@ -43,7 +43,7 @@ enum class PlannedTouches {
   near    // each node touches the nearest of its candidate faces
 };
 
-/// What is planned for.
+/// Scene of a plan.
 struct ContactScene {
   SurfaceMotion motion;         // of the mesh nodes at the start
   double steps_per_search = 1;  // until candidate pairs are searched again

@@ -17,7 +17,7 @@
 
 namespace percuss {
 
-/// What a rank searched last.
+/// Load of a rank in its last search.
 struct SearchLoad {
   std::int64_t nodes = 0;  // contact nodes that it owns for contact
   std::int64_t faces = 0;  // contact faces that reached it, copies included
@@ -85,7 +85,7 @@ class ContactFinder {
   virtual void request_near_pairs() {}
 };
 
-/// What a look between steps is at.
+/// Part of the surface that a check between steps covers.
 struct LookedAt {
   std::optional<std::vector<char>> nodes;  // [contact nodes] those whose penetrations are requested; none: all
   bool has_nodes = true;                   // whether some of any rank are

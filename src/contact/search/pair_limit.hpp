@@ -19,7 +19,7 @@ inline std::int64_t find_pair_limit(const SurfaceShare& share) {
   return std::int64_t{1'000'000} + 2000 * share.total_nodes;
 }
 
-/// Likewise of edges' points and boxes.
+/// Limit of the pairs of edges' points and boxes.
 inline std::int64_t find_edge_pair_limit(const SurfaceShare& share) {
   return std::int64_t{1'000'000} + 4000 * share.total_edges;
 }

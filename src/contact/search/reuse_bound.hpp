@@ -61,7 +61,7 @@ class ReuseBound {
   struct Ways {
     double near = 0, travel = 0, first = 0, step = 0;
   };
-  /// What a search begins with.
+  /// Sums at the begin of a search.
   struct SearchSums {
     double move = 0;  // largest of a contact node in the step
     ExactSum edges;

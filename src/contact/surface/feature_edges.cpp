@@ -72,7 +72,7 @@ std::vector<double> find_passing_lengths(const SharedSides& shared, const Mesh& 
   return passing;
 }
 
-/// What makes an edge of the surface one that touches others.
+/// Rule by which an edge of the surface may touch others.
 struct EdgeRule {
   const std::vector<EdgeEnds>& folds;
   const std::vector<double>& passing;  // find_passing_lengths()

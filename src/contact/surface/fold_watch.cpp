@@ -14,7 +14,7 @@
 namespace percuss {
 namespace {
 
-/// What an edge needs to know of a side.
+/// Shape of a side, as the angle at an edge needs it.
 struct SideShape {
   Point3 inward{}, normal{};
 };

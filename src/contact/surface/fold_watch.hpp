@@ -36,7 +36,7 @@ struct FoldRule {
   double sharp, fast, smooth;
 };
 
-/// What an edge has become.
+/// Change of an edge.
 enum class FoldChange { none, slow, fast };
 
 /// A side of an edge by mesh nodes of this rank.

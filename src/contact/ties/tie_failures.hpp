@@ -13,7 +13,7 @@
 
 namespace percuss {
 
-/// What failed ties release.
+/// Nodes and faces that failed ties release.
 struct ReleasedTies {
   std::vector<std::int64_t> nodes;  // numbers, of all ranks, ascending
   std::vector<std::int64_t> faces;  // numbers of this rank's faces of which no corner is tied any more

@@ -35,7 +35,7 @@ struct TurningNode {
 /// Two tied nodes of one shell, by number.
 using ShellEdge = std::array<std::int64_t, 2>;
 
-/// What a rank knows of tied nodes, and then all.
+/// Tied shells known to a rank, and then to all.
 struct TiedShells {
   std::vector<TurningNode> nodes;  // ascending
   std::vector<ShellEdge> edges;

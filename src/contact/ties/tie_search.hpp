@@ -10,7 +10,7 @@
 
 namespace percuss {
 
-/// What a search found for a node.
+/// Result of a search for a node.
 struct ClosestFace {
   double distance = std::numeric_limits<double>::infinity();  // from the mesh [length]
   double gap = 0;                                             // beyond the thickness of shells between [length]

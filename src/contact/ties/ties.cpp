@@ -39,7 +39,7 @@ std::vector<ElementFace> keep_tied_faces(const Mesh& mesh, const std::vector<Ele
   return kept;
 }
 
-/// What the owners of the nodes keep; each node once.
+/// Keeps the answers for the nodes that this rank owns, each node once.
 void keep_owned(const std::vector<ClosestFace>& answers, int tie, std::vector<TiedNode>& kept, TieCounts& counts) {
   std::vector<TiedNode> fresh;
   std::int64_t last = -1;
@@ -110,7 +110,7 @@ void refuse_nothing(const Deck& deck, const TieDeck& tie, const TieCounts& count
   throw RunError(text);
 }
 
-/// What lives of both sides of a tie.
+/// Living nodes and faces of both sides of a tie.
 struct TieSides {
   SurfaceNodes a;
   std::vector<ElementFace> b, both_of_b;

@@ -28,7 +28,7 @@ inline std::string find_body(const Selector& selector) {
   return selector.name.starts_with(prefix) ? selector.name.substr(prefix.size()) : std::string();
 }
 
-/// What a selector of the deck chooses.
+/// Kind of what a selector of the deck chooses.
 enum class Chosen { some, nodes, faces, touching, surface_nodes, elements };  // touching: faces, or beams
 
 /// A selector as the deck has it; `all` has no name.

@@ -27,7 +27,7 @@ struct Library {
   LoadedLibrary describe(const std::string& file) { return {handle, &has_written_outside, file.c_str()}; }
 };
 
-/// What was loaded, by the path as decks name it.
+/// Loaded libraries, by the path as decks name it.
 struct LoadedCode {
   std::mutex busy;
   std::vector<std::string> permitted;

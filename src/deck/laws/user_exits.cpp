@@ -29,7 +29,7 @@ std::function<void()>& end_of_ranks() {
   return end;
 }
 
-/// What ends code at once, by what it says of it.
+/// Signals that end code at once, with their description.
 struct WatchedSignal {
   int number;
   const char* how;

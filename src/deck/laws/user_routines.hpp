@@ -9,7 +9,7 @@
 
 namespace percuss {
 
-/// What the code may request.
+/// Data of the run that the code may request.
 struct UserRun {
   std::string job, folder;  // the deck's name without its ending; where results go
   int rank = 0, ranks = 1;  // of this process

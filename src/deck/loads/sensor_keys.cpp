@@ -46,7 +46,7 @@ bool check_sensor(const Reader& reader, const Node& node, SensorDeck& sensor) {
   return true;
 }
 
-/// What a sensor looks at is in the history.
+/// Checks that the history has what a sensor watches.
 void check_sight(const Deck& deck, const SensorDeck& sensor, const Spot spot, Reading& reading) {
   if (sensor.time) return;
   if (!deck.output.history_every) {

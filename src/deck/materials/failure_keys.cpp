@@ -155,7 +155,7 @@ bool adds_damage(const FailureDeck& failure) {
   return failure.johnson_cook || !failure.triaxiality.empty() || failure.shear;
 }
 
-/// What stands beside damage that takes force, and cannot; empty: nothing.
+/// Setting that contradicts damage that takes force; empty: none.
 std::string find_clash(const FailureDeck& failure) {
   if (failure.evolution && failure.coupling)
     return "coupling stands beside evolution (both say how the force is lost): remove one of them";

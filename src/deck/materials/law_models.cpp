@@ -236,7 +236,7 @@ Key<LawDeck> make_list_key(const char* name) {
              LawDeck& law) { return value.read(reader, full, node, law.lists[name]); });
 }
 
-/// What the code of a VUMAT gets besides.
+/// Adds further keys of the code of a VUMAT.
 void add_keys_of_code(Keys<LawDeck>& keys) {
   keys.push_back(
       make_key<LawDeck>("parameter_tables", false, FileValue{},

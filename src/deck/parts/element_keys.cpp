@@ -139,7 +139,7 @@ const Keys<ElementDeck>& element_keys() {
   return keys;
 }
 
-/// What only thick shells have.
+/// Checks the keys that only thick shells have.
 void check_thick_keys(const Reader& reader, const Node& node, const ElementDeck& deck) {
   const Node* integration = node.find("integration");
   if (integration == nullptr || integration->kind != Node::Kind::map || integration->broken) return;

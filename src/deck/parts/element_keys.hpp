@@ -9,7 +9,7 @@ namespace percuss {
 MapValue<ElementDeck> element_value();
 /// Keys of `elements` that a part may have.
 Keys<PartElementDeck> part_element_keys();
-/// What has no effect beside the other settings that hold there.
+/// Reports settings that have no effect beside the others.
 void check_element_settings(const Deck& deck, const Node& root, Reading& reading);
 
 }  // namespace percuss

@@ -271,7 +271,7 @@ bool can_alternate(const Shape& shape) {
   return tube == nullptr || tube->arc < 360 || tube->cells[1] % 2 == 0;
 }
 
-/// What cells are cut into is a question of generated solids.
+/// Checks the key that says what cells are cut into: only generated solids have it.
 bool check_elements(const Reader& reader, const Node& node, const PartDeck& part) {
   const bool is_file = std::holds_alternative<FileMesh>(part.shape);
   const Node* elements = node.find("elements");

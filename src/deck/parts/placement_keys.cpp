@@ -144,7 +144,7 @@ class PlaceCheck {
                        name, why));
   }
 
-  /// What of a part stands in space, or has directions.
+  /// Key of a part that gives a place or directions in space.
   std::string find_obstacle(const PartDeck& part) const {
     if (part.rigid && (part.rigid->center || part.rigid->inertia)) return "rigid.center or rigid.inertia";
     if (part.thickness_by_place) return "thickness.expression";

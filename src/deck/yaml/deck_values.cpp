@@ -24,7 +24,7 @@ constexpr std::array<const char*, 10> free_to_change{"title",
                                                      "time.collapse_ratio",
                                                      "contact.rebalance"};
 
-/// What sensors look at is part of the motion.
+/// Whether sensors may read the value: what they read is part of the motion.
 bool is_watched(const std::string& path) { return path == "output" || path.starts_with("output.history"); }
 
 bool is_free(const std::string& path, bool has_sensors) {

@@ -8,7 +8,7 @@
 namespace percuss {
 namespace {
 
-// What travels. Numbers are those of the whole mesh.
+// Items that are sent. Numbers are those of the whole mesh.
 
 struct ElementItem {
   std::int64_t number = 0, id = 0;

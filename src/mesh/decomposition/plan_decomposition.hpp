@@ -12,7 +12,7 @@ namespace percuss {
 /// A force of a halo slot on its way: three doubles.
 inline constexpr std::int64_t halo_slot_bytes = 24;
 
-/// What one rank would hold and send in every step.
+/// Elements, nodes and messages of one planned rank.
 struct RankPlan {
   int chunks = 0;
   std::int64_t elements = 0;

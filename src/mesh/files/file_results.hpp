@@ -12,7 +12,7 @@
 
 namespace percuss {
 
-/// What is read of a file, by names of components.
+/// Results to read from a file, by names of components.
 struct ResultsWish {
   std::vector<std::string> of_elements, of_nodes;
   std::optional<double> time;  // the step nearest to it; none: the last
@@ -32,7 +32,7 @@ struct FileResults {
   std::vector<std::string> element_names, node_names;          // all that it has
 };
 
-/// What there is, without the values.
+/// Results that a file has, without the values.
 struct ResultsContents {
   std::vector<double> times;                           // of its steps; empty: the format has none, or the file
   std::vector<std::string> element_names, node_names;  // of components

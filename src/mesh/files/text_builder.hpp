@@ -17,7 +17,7 @@ namespace percuss {
 /// Where an id of an element counts: in some formats a solid and a shell may have the same.
 enum class IdSpace : std::uint8_t { elements, shells, beams };
 
-/// What elements of a block have in common.
+/// Properties that the elements of a block share.
 struct TextKind {
   std::string name;                      // as the format calls it
   std::optional<TopologyKind> topology;  // none: they cannot be run, and are added without nodes

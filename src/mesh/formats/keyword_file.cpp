@@ -73,7 +73,7 @@ class KeywordReader {
     if (keyword != "KEYWORD" && keyword != "TITLE") unread_.insert(keyword);
   }
 
-  /// What would change the mesh that is read.
+  /// Refuses cards that would change the mesh that is read.
   void refuse_changes(const std::string& keyword) const {
     for (const char* word :
          {"INCLUDE_", "NODE_TRANSFORM", "NODE_MERGE", "NODE_SCALAR", "ELEMENT_SOLID_", "ELEMENT_SHELL_",

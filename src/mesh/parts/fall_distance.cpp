@@ -98,7 +98,7 @@ ProjectedTriangle project(const FallingTriangle& triangle, const Vec3& direction
   return projected;
 }
 
-/// What thicknesses take from the way, across a common normal.
+/// Part of the distance that thicknesses take, across a common normal.
 double find_thickness_along(const Vec3& normal, const Vec3& direction, double thickness) {
   if (thickness == 0) return 0;
   const double part = std::abs(dot(normal, direction)), length = std::sqrt(dot(normal, normal));

@@ -298,7 +298,7 @@ class JointFinder {
                        ids, part.name));
   }
 
-  /// What holds nothing is hardly meant.
+  /// Refuses a join that holds nothing: it is hardly meant.
   void require_joints(const JoinDeck& join) const {
     for (const std::size_t p : list_parts(join)) {
       const bool is_joined = std::any_of(joints_.begin(), joints_.end(), [&](const auto& entry) {

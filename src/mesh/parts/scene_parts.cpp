@@ -218,7 +218,7 @@ ScenePart describe_part(const Deck& deck, const PartDeck& from, const Totals& so
   return part;
 }
 
-/// What rank 0 alone knows of a part.
+/// Numbers of a part that rank 0 alone knows.
 struct PartNumbers {
   std::int64_t nodes, elements, first_node_id, first_element_id;
   int chunks, bodies, blocks;

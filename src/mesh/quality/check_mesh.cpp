@@ -169,7 +169,7 @@ std::string judge_shell(const std::string& element, const ElementCorners& x, std
   return "";
 }
 
-/// What is wrong with a beam; empty if nothing.
+/// Fault of a beam; empty if there is none.
 std::string judge_beam(const std::string& element, const ElementCorners& x) {
   constexpr double round_off = 1e-13;  // share of the distance to the origin
   const double length = find_distance(x[0], x[1]);

@@ -8,7 +8,7 @@
 
 namespace percuss {
 
-/// What a part takes of a file.
+/// Blocks of a file that a part takes.
 struct Choice {
   std::vector<FileBlock> blocks;  // that have elements of it
   std::vector<char> elements;     // [elements of the file] whether it is taken; empty: all of the blocks

@@ -11,7 +11,7 @@
 
 namespace percuss {
 
-/// What a file holds, whether it can be run or not.
+/// Content of a file, whether it can be run or not.
 struct MeshContents {
   std::string format;
   int dimensions = 0;

@@ -17,7 +17,7 @@
 
 namespace percuss {
 
-/// What a surface element is across, and a beam.
+/// Cross section of a surface element or a beam.
 struct Section {
   double thickness = 0;      // of surfaces, the largest where elements have their own [length]; else 0
   int points = 0;            // across the thickness; 0: by the material

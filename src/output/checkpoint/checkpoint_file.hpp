@@ -22,7 +22,7 @@
 
 namespace percuss {
 
-/// What a checkpoint says of itself.
+/// Header of a checkpoint.
 struct CheckpointHeader {
   std::string version;    // of percuss
   std::string precision;  // "double"

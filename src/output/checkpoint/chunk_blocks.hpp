@@ -28,7 +28,7 @@ class ChunkBlocks {
   template <class T>
   std::vector<T> gather(std::span<const std::int64_t> first_rows, int components, std::span<const T> values);
 
-  /// What this rank writes of the array, in values.
+  /// Part of the array that this rank writes, in values.
   hdf5::RowBlock block(std::span<const std::int64_t> first_rows, int components) const;
 
  private:

@@ -126,7 +126,7 @@ void seal_file(const Communicator& ranks, const std::string& path) {
     file.close();
     check_whole(path, seal);
   });
-  // What was hashed may have been read wrong.
+  // The bytes that were hashed may have been read wrongly.
   if (hash_share(ranks, path, bytes) != seal.hash)
     throw SystemError(fmt::format("cannot write '{}' (read twice, it is not the same): check the disk", path));
 }

@@ -28,7 +28,7 @@ std::string cut_text(std::string text, std::size_t most) {
   return text;
 }
 
-/// What the variables of a kind of set are called.
+/// Names of the variables of a kind of set.
 struct SetNames {
   const char *count, *prefix, *size, *members;
 };

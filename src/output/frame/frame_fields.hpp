@@ -56,7 +56,7 @@ struct FieldsOptions {
   bool are_faces = false;  // whether elements of the mesh are faces, of which several have the same id
 };
 
-/// What a run before has written of an output.
+/// Frames of an output that an earlier run has written.
 struct EarlierFrames {
   const std::string& directory;
   const std::string& name;              // of the output

@@ -10,7 +10,7 @@
 
 namespace percuss {
 
-/// What a file has, or must have.
+/// Counts that a file has, or must have.
 struct FramesInFile {
   hsize_t frames = 0;
   hsize_t nodes = 0, elements = 0;  // of the mesh

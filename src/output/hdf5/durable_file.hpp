@@ -17,7 +17,7 @@
 
 namespace percuss::hdf5 {
 
-/// What a layout adds.
+/// Properties of a file by its layout.
 struct FileLayout {
   LinkOrder links = LinkOrder::by_name;
   unsigned chunk_index = most_chunk_index;          // of create_durable_file()

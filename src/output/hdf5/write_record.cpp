@@ -118,7 +118,7 @@ std::string find_path(hid_t dataset) {
   return path;
 }
 
-/// What a dataset adds to the hash of a file's content.
+/// Hash of a dataset, as it enters that of the file's content.
 std::uint64_t hash_dataset(const std::string& path, hsize_t rows, std::uint64_t numbers) {
   const std::uint64_t name = hash_units<std::uint8_t>(path.data(), 0, path.size());
   return mix_bits(mix_bits(mix_bits(name) + rows) + numbers);

@@ -111,7 +111,7 @@ void VtkhdfFile::write_mesh(const Mesh& mesh) {
   write_items("part", FieldPlace::element, parts);
 }
 
-// What VTK does not know.
+// Writes what VTK does not know.
 void VtkhdfFile::write_scene(const Mesh& mesh) {
   std::vector<std::string> names;
   for (const auto& part : mesh.parts) names.push_back(part.name);

@@ -8,7 +8,7 @@
 namespace percuss {
 namespace {
 
-// What lies beside the fields of the frames, written once.
+// Datasets beside the fields of the frames, written once.
 constexpr std::array<const char*, 3> written_once{"node_id", "element_id", "part"};
 
 bool is_written_once(const std::string& name) {

@@ -48,7 +48,7 @@ bool is_rest(const ConditionDeck& condition) {
   return condition.kind == ConditionDeck::Kind::fixed || condition.kind == ConditionDeck::Kind::symmetry;
 }
 
-/// What a condition prescribes in one direction.
+/// Motion that a condition prescribes in one direction.
 Motion make_motion(const ConditionDeck& condition, int k) {
   if (!condition.turn) return {condition.value[at(k)], condition.kind == ConditionDeck::Kind::displacement, {}};
   const TurnDeck& turn = *condition.turn;

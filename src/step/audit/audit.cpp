@@ -90,7 +90,7 @@ void add_spins(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model
 /// round-off of what they amount to.
 constexpr double rest_share = 1e-6;
 
-/// What forces of joints amount to.
+/// Sums of the magnitudes of the forces of joints.
 struct JointScale {
   double force = 0, moment = 0;  // the latter about the mass centre of the scene
 };

@@ -70,7 +70,7 @@ class Audit {
   /// forces at the start, which contacts that hold from the start take part in.
   double start_half_steps() const { return start_half_steps_; }
 
-  /// What audits compare with.
+  /// Reads or writes the values that audits compare with.
   void archive(CheckpointArchive& archive);
 
  private:

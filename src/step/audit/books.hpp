@@ -16,7 +16,7 @@
 
 namespace percuss {
 
-/// What is summed over nodes that get mass.
+/// Sums over nodes that get mass.
 struct AddedMassSum {
   enum : int {
     work,

@@ -43,7 +43,7 @@ bool bends_by_control(const Deck& deck, const ChunkedMesh& chunked, const Chunk&
          deck.find_elements(static_cast<std::size_t>(chunk.part)).hourglass == ElementDeck::Hourglass::assumed_strain;
 }
 
-/// What there is to tell of a chunk.
+/// Hourglass pattern of a chunk.
 struct ChunkPattern {
   double share = 0;       // of its hourglass energy that alternates
   int worst_element = 0;  // with the largest hourglass displacement, as far as it counts

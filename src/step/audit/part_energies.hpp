@@ -21,7 +21,7 @@ std::vector<BookedPart> find_booked_parts(const Deck& deck);
 /// The columns, part after part.
 std::vector<HistoryColumn> list_part_columns(const std::vector<BookedPart>& parts);
 
-/// What a part holds, without what its dead elements took [energy].
+/// Energies of a part, without what its dead elements took [energy].
 struct PartEnergy {
   double internal = 0, hourglass = 0;
 };

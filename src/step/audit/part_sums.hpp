@@ -33,7 +33,7 @@ struct PartSum {
   };
 };
 
-/// What is summed over the nodes of a chunk.
+/// Sums over the nodes of a chunk.
 struct ChunkSum {
   enum : int { kinetic, momentum, mass = momentum + 3, rotation, count };
 };

@@ -16,7 +16,7 @@ namespace {
 
 /// What may be missing of an equation, as a share of the largest speed, and how long this is sought.
 constexpr ConstraintLimits limits_of_equations{1e-13, 1000};
-/// What shows that equations and conditions contradict each other.
+/// Residual from which equations and conditions contradict each other.
 constexpr double contradiction = 1e-6;
 
 }  // namespace

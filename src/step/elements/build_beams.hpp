@@ -12,7 +12,7 @@ namespace percuss {
 /// Whether some beams of the mesh bend, so that their nodes have rotations; the same on all ranks.
 bool has_bending_beams(const Deck& deck, const Mesh& mesh);
 
-/// What the launchers need to know of each chunk, by chunk.
+/// Records of each chunk, as the launchers need them.
 struct BeamRecords {
   std::vector<int>&record_size, &history, &points, &parameters, &scalars;
 };

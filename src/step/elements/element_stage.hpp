@@ -31,7 +31,7 @@ class ElementStage {
   /// The step that a chunk allows with its damping. bound: without it.
   double find_step(std::size_t chunk, double bound) const;
 
-  /// What this rank has sent of rates and stresses.
+  /// Messages of this rank with rates and stresses.
   Traffic traffic() const;
 
  private:

@@ -257,7 +257,7 @@ EmbeddedNode make_node(const Draft& draft, const EmbeddedModel& model) {
   return node;
 }
 
-/// What moves nodes by itself would be moved away from.
+/// Refuses nodes with a motion of their own: it would separate them from their host.
 void refuse_moved(const Deck& deck, const ChunkedMesh& chunked, const Model& model, const std::vector<Draft>& drafts) {
   const EmbeddedModel& embedded = model.embedded;
   const std::vector<int> is_rigid = mark_rigid_nodes(model, embedded);

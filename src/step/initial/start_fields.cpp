@@ -29,7 +29,7 @@ namespace {
 /// Share of the longest edge of the scene below which displacements are round-off.
 constexpr double noted_displacement = 1e-6;
 
-/// What a file gives to a start.
+/// Content of a file for the start.
 struct LoadedFile {
   std::vector<StartPiece> pieces;
   FileDisplacement unused = {};
@@ -155,7 +155,7 @@ StartRow read_row(const StartTable& table, int row) {
   return {table.layers[at(row)], value(table.stress), value(table.plastic_strain), value(table.temperature)};
 }
 
-/// What gets its state from files.
+/// Receivers of a state from files.
 struct StartTarget {
   const Deck& deck;
   const ChunkedMesh& chunked;

@@ -10,7 +10,7 @@
 
 namespace percuss {
 
-/// What a file has, row by row.
+/// Content of a file, row by row.
 struct StartTable {
   static constexpr int absent = -1;
   bool is_of_nodes = false;

@@ -23,7 +23,7 @@ namespace {
 /// Squares of more are no numbers.
 constexpr double largest_value = 1e100;
 
-/// What a file may have of a quantity.
+/// A quantity that a file may have.
 struct NamedQuantity {
   StartQuantity quantity;
   const char* name;

@@ -21,7 +21,7 @@ namespace {
 /// Masses of tetrahedra depend on those of their neighbours: they are found in so many rounds.
 constexpr int most_rounds = 5;
 
-/// What the step of an element may lack.
+/// Tolerated lack of the step of an element.
 constexpr double tolerated_lack = 0.01;
 
 /// The bound of a tetrahedron shares the mass of a node by stiffness (find_mixed_step()): it grows with the least of

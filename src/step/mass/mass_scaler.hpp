@@ -33,7 +33,7 @@ class MassScaler : public Action {
   /// Warns of parts that have reached their limit.
   std::vector<Warning> take_warnings() override;
 
-  /// What each part was given, and the masses of the elements.
+  /// Reads or writes the mass given to each part, and the masses of the elements.
   void archive(CheckpointArchive& archive, State& state) override;
 
   // Kernels of its own: nvcc takes none in a private function.

@@ -45,7 +45,7 @@ class SolidBounds {
   }
 
  private:
-  /// What shells and beams need beside follows from the scaled masses.
+  /// Copy of the model without rotations and other data: what shells and beams need follows from the scaled masses.
   static Model without_others(Model model) {
     model.has_rotations = model.has_beams = model.damps_stiffness = false;
     model.stiffness_damping = {};
@@ -89,7 +89,7 @@ struct Least {
   std::int64_t scaled = 0, all = 0;
 };
 
-/// What a part gets, before it is added up over ranks.
+/// Mass of a part, before it is added up over ranks.
 struct PartShare {
   ExactSum mass, added;
   Least least;

@@ -15,7 +15,7 @@
 
 namespace percuss {
 
-/// What the launchers need of some chunks, family by family.
+/// Data of some chunks for the launchers, family by family.
 struct ElementBlocks {
   HexBlocks hexahedra;
   TetBlocks tetrahedra;

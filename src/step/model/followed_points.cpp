@@ -159,7 +159,7 @@ std::vector<std::pair<int, double>> list_shares(const Mesh& mesh, std::size_t el
   return shares;
 }
 
-/// What a point is found for.
+/// Inputs of the search for a point.
 struct Search {
   const Deck& deck;
   const ChunkedMesh& chunked;

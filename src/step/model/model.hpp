@@ -55,7 +55,7 @@ struct StartHistory {
   Array<double> values;
 };
 
-/// What mass scaling gave to a part, over all ranks.
+/// Mass that scaling gave to a part, over all ranks.
 struct AddedMass {
   std::string part;
   std::int64_t scaled = 0, elements = 0;  // elements that got mass; all of the part

@@ -242,7 +242,7 @@ ChunkResults make_results(const ElementChunks& chunks) {
           Array<double>("percuss::resists", chunks.fold_threshold.extent(0))};
 }
 
-/// What nodes of shells and beams have besides.
+/// Starts the rotations of nodes of shells and beams.
 void start_rotations(const Model& model, State& s) {
   const auto nodes = static_cast<std::size_t>(model.node_count);
   s.w = Rows3<double>("percuss::w", nodes);

@@ -120,7 +120,7 @@ struct State {
   Rows3<double> damping_force, damping_moment;  // by slot, of damping in proportion to stiffness; empty without
   Books books;
 
-  /// What an evaluation of the elements reads and writes.
+  /// Fields that an evaluation of the elements reads and writes.
   ChunkFields chunk_fields() const { return {elements, slot_force, results, slot_moment}; }
   SpinInertia spin_inertia() const { return {inertia, inverse_inertia, spin_tensors}; }
   /// What impulses after the damping of a step are multiplied by: 1/m, or 1/(m (1 + h)) of damped nodes.

@@ -13,7 +13,7 @@
 
 namespace percuss {
 
-/// What resists one of the three angles; const after set-up.
+/// Resistance against one of the three angles; const after set-up.
 struct TurnLaw {
   SpringLaw spring;           // angle, moment
   SpringLaw damper;           // rate, moment

@@ -11,7 +11,7 @@ struct MotionTotals {
   double power = 0;    // -v(n-1/2) . (f(n) - f(n-1)) of all nodes
   double inertia = 0;  // sum of m v(n-1/2)^2
   double stored = 0;   // by elements and springs
-  // What of power and inertia is of translations.
+  // Parts of power and inertia that belong to translations.
   double moving_power = 0, moving_inertia = 0;
 };
 

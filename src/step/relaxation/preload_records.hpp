@@ -10,7 +10,7 @@
 
 namespace percuss {
 
-/// What the records of a layer are shortened with.
+/// Strain and stress by which the records of a layer are shortened.
 struct Shortening {
   // xx, yy, zz, xy, yz, zx of n n, and of the stress of a strain of 1 along n
   Kokkos::Array<double, 6> dyad, stress;

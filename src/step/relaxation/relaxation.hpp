@@ -53,7 +53,7 @@ class Relaxation {
   /// Energy that springs of penalty contact hold; the same on all ranks.
   double find_contact_stored() const { return stepper_->contact_report().stored; }
 
-  /// What the steps are made with.
+  /// Deck and model of the steps.
   const Deck& deck() const { return relaxed_deck_; }
   const Model& model() const { return relaxed_; }
   const Stepper& stepper() const { return *stepper_; }

@@ -36,7 +36,7 @@ FailingRows list_elements_that_fail(const Model& model) {
   return of;
 }
 
-/// What elements carry, on the host.
+/// Lives of elements, on the host.
 struct LivesOnHost {
   explicit LivesOnHost(const ElementLives& lives)
       : force_share(to_host(lives.force_share)),
@@ -84,7 +84,7 @@ struct LivesOnHost {
   HostMirror<Array<double>> plastic_strain, damage, second;
 };
 
-/// What the elements carry that can fail, element after element.
+/// Archives the lives of the elements that can fail, element after element.
 void archive_elements_that_fail(CheckpointArchive& archive, const Model& model, const State& state) {
   const FailingRows of = list_elements_that_fail(model);
   const LivesOnHost lives(state.lives);

@@ -120,7 +120,7 @@ void archive_tensors(CheckpointArchive& archive, const ChunkRows& nodes, const M
   if (archive.is_loading()) collect_tensors(by_node, state);
 }
 
-/// What shells add.
+/// Archives what shells add.
 void archive_spins(CheckpointArchive& archive, const ChunkRows& nodes, const Model& model, State& state) {
   if (!model.has_rotations) return;
   archive.rows("nodes/w", nodes, 3, state.w);

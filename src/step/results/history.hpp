@@ -15,7 +15,7 @@
 
 namespace percuss {
 
-/// What the columns follow from.
+/// Data from which the columns follow.
 struct HistoryScene {
   const Deck& deck;
   const ChunkedMesh& chunked;

@@ -11,7 +11,7 @@
 
 namespace percuss {
 
-/// What the values of a row come from.
+/// Sources of the values of a row.
 struct HistorySources {
   const State& state;
   const AuditResult& audit;

@@ -7,7 +7,7 @@
 namespace percuss {
 namespace {
 
-/// What a value comes from.
+/// Source of a value.
 struct Source {
   const RigidState& state;
   const RigidSums& sums;

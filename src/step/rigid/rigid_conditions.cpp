@@ -1,4 +1,4 @@
-// What holds rigid bodies, and how they move at time 0.
+// Conditions of rigid bodies, and how they move at time 0.
 
 #include <fmt/format.h>
 

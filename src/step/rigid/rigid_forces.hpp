@@ -7,7 +7,7 @@
 
 namespace percuss {
 
-/// What a load does to its body at n.
+/// Force and moment of a load on its body at n.
 struct PointForce {
   Vector3<double> arm{};              // of the point, from the centre
   Vector3<double> force{}, moment{};  // the latter without that of the force about the centre

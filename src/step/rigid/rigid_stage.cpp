@@ -287,7 +287,7 @@ void RigidStage::book_grounded_joints(State& state) const {
   }
 }
 
-/// What contact and joints gave to a body in the step.
+/// Impulse and moment that contact and joints gave to a body in the step.
 Wrench RigidStage::find_given(std::size_t index) const {
   Wrench given = contact_.empty() ? Wrench{} : contact_[index];
   if (!joints_.any()) return given;

@@ -7,7 +7,7 @@
 
 namespace percuss {
 
-/// What holds a body in a step.
+/// Held velocities of a body in a step.
 struct RigidGoal {
   double velocity[3] = {0, 0, 0};  // where held
   HeldSpin spin;

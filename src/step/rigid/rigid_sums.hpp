@@ -17,7 +17,7 @@ struct RigidSums {
   double momentum_size = 0, angular_size = 0;
 };
 
-/// What acts on a body at n, without gravity.
+/// Forces on a body at n, without gravity.
 struct BodyForces {
   Wrench force{}, joint{};  // the latter of joints
 };

@@ -108,7 +108,7 @@ void Run::begin() {
   const std::vector<double> part_steps = find_part_steps(chunked_, state_.results);
   warnings_.add(check_start({deck_, &measures_, &contact_.start_overlap(), bound, &ties, &part_steps}));
   erode();
-  // What collapses is the step of elements.
+  // Only the step of elements can collapse.
   const bool is_approach = stepper_.find_limiting_approach(state_) != nullptr;
   first_dt_ = is_approach ? deck_.time.step_scale * state_.bound.step : state_.next_dt;
   note_limit();
@@ -223,7 +223,7 @@ void Run::loop() {
     if (const std::string left = contact_.describe_overlap_left(state_.x); !left.empty()) say({left});
 }
 
-/// What bounds the next step.
+/// Notes what bounds the next step.
 void Run::note_limit() {
   limiting_element_id_ = state_.bound.element_id;
   limiting_spring_ = state_.bound.spring;

@@ -7,7 +7,7 @@
 
 namespace percuss {
 
-/// What the checks look at; all of it outlives them.
+/// Data of the checks; all of it outlives them.
 struct CheckedRun {
   const Deck& deck;
   const ChunkedMesh& chunked;

@@ -7,7 +7,7 @@
 
 namespace percuss {
 
-/// What has happened at time 0 acts from the start on.
+/// Events at time 0 act from the start.
 void Run::start_sensors() {
   if (!stepper_.sensors().any()) return;
   const std::vector<char> happened = stepper_.sensors().find_happened(state_.time);

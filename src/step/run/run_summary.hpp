@@ -27,7 +27,7 @@ void fill_scene(const SummedRun& run, Summary& summary);
 /// be there. Collective.
 void fill_summary(const SummedRun& run, Summary& summary);
 
-/// What this rank has held, done and sent. Not collective.
+/// Elements, times and messages of this rank. Not collective.
 RankRow make_rank_row(const SummedRun& run);
 
 }  // namespace percuss

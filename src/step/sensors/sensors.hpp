@@ -33,7 +33,7 @@ class Sensors : public Action {
   /// Looks at a row of the history. row: on rank 0. Collective.
   void look(double time, const std::vector<double>& row);
 
-  /// What has happened by this time, delays included, by sensor.
+  /// Whether the event of each sensor has occurred by this time, delays included.
   std::vector<char> find_happened(double time) const;
 
   /// Whether the sensor that ends the run has happened.

@@ -15,7 +15,7 @@ namespace {
 // How deep tags lie: xmcf is at 1, connection_group at 2, connection_list and connected_to at 3.
 constexpr std::size_t depth_of_groups = 2, depth_of_connections = 4, depth_of_contents = 5;
 
-/// What a connection has besides its kind.
+/// Names of elements of a connection that are not its kind.
 constexpr std::array<std::string_view, 8> no_kinds{"loc",
                                                    "loc_list",
                                                    "face_list",

@@ -33,7 +33,7 @@ struct WeldNode {
   double twice_energy = 0;   // kinetic, of its nodes in directions that are not held
 };
 
-/// What the second node gets; the first gets the opposite impulse.
+/// Impulse on the second node; the first gets the opposite impulse.
 struct WeldImpulse {
   Vector3<double> impulse{};
   std::array<Vector3<double>, 2> moment{};  // of each node, about itself

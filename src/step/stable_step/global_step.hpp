@@ -14,7 +14,7 @@
 
 namespace percuss {
 
-/// What the estimates of a run have cost and brought.
+/// Cost and result of the estimates of a run.
 struct StepEstimateReport {
   std::int64_t count = 0;  // of estimates since the start of the run
   double gain = 1;         // mean over the steps of the bound taken over the least bound of an element
@@ -25,7 +25,7 @@ class GlobalStep {
   /// Collective over the model's ranks. end: of the run [time]; scale: share of a bound that a step takes.
   GlobalStep(const ChunkedMesh& chunked, const Model& model, double end, double scale);
 
-  /// What the elements are to watch from step to step.
+  /// Quantities that the elements track from step to step.
   const StepWatch& watch() const { return watch_; }
 
   /// The bound at n. element_bound: least of all elements; growth: largest of watch().growth on all ranks. Estimates
@@ -36,7 +36,7 @@ class GlobalStep {
   /// Collective.
   double estimate(const State& state, double trial);
 
-  /// What the steps to come depend on. Collective.
+  /// Reads or writes what later steps depend on. Collective.
   void archive(CheckpointArchive& archive);
 
   StepEstimateReport report() const;

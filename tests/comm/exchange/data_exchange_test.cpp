@@ -33,7 +33,7 @@ std::vector<Letter> write_letters(int from, int rank_count, std::uint64_t seed) 
   return letters;
 }
 
-/// What a rank should receive: by source, then as written.
+/// Letters that a rank should receive: by source, then as written.
 std::vector<Letter> find_mail(int me, int rank_count, std::uint64_t seed) {
   std::vector<Letter> mail;
   for (int from = 0; from < rank_count; ++from) {

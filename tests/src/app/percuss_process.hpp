@@ -23,7 +23,7 @@ ProcessResult disturb_percuss(const std::vector<std::string>& arguments, const s
 ProcessResult interrupt_percuss(const std::vector<std::string>& arguments, const std::string& file, int signal_number,
                                 const std::string& before = "");
 
-/// What starts percuss on several ranks, for `before`.
+/// Launcher of percuss on several ranks, for `before`.
 std::string launch_on(int ranks);
 
 /// How often a text has `what` in it.

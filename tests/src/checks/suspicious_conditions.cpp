@@ -121,7 +121,7 @@ std::vector<SuspiciousDeck> velocity_decks() {
        "block: {",
        {upper, {velocity, velocity + ", {part: upper, velocity: [0, 0, -20]}"}, {"2.0e-4", "4.0e-6"}},
        {upper, {velocity, velocity + ", {part: upper, velocity: [0, 0, -20]}"}, {"2.0e-4", "6.0e-5"}}},
-      // What a rigid body holds does not fall with the others.
+      // Nodes that a rigid body holds do not fall with the others.
       {"BlockOnARigidPlateThatFalls",
        "unreached_body",
        "block: {",

@@ -20,7 +20,7 @@
 namespace percuss {
 namespace {
 
-/// What `percuss check` would warn of.
+/// Warnings of `percuss check`.
 std::vector<Warning> check(const std::string& text) {
   const Deck deck = parse_deck(text, "deck.yaml");
   const Communicator self(MPI_COMM_SELF);

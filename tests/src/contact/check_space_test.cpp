@@ -1,4 +1,4 @@
-// What is remembered from check to check.
+// Memory from check to check.
 
 #include "src/contact/check/check_space.hpp"
 

@@ -1,4 +1,4 @@
-// What contact says of the start: the smallest gaps between parts.
+// Notes of contact on the start: the smallest gaps between parts.
 
 #include <gtest/gtest.h>
 

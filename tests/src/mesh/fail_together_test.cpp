@@ -9,7 +9,7 @@
 namespace percuss {
 namespace {
 
-/// What `Error`, thrown by the last rank alone, is everywhere.
+/// Message on all ranks of an `Error` that the last rank alone has thrown.
 template <class Error>
 std::string fail_on_last_rank(const Error& error) {
   const Communicator world = Communicator::world();

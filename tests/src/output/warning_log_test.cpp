@@ -1,4 +1,4 @@
-// What is told, counted, silenced and kept of warnings.
+// Warnings that are printed, counted, silenced and kept.
 
 #include "src/output/warning_log.hpp"
 

@@ -56,7 +56,7 @@ std::string read_file(const std::string& path) {
   return all.str();
 }
 
-/// What History writes of ten steps.
+/// History of ten steps.
 std::string write_history(Scene& scene) {
   const TemporaryFolder folder;
   {

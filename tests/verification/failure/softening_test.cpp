@@ -40,7 +40,7 @@ conditions:
                               held.empty() ? "" : fmt::format("  - {{nodes: all, fixed: [{}]}}\n", held)));
 }
 
-/// What elements have absorbed, eroded ones too.
+/// Energy that elements have absorbed, eroded ones too.
 double find_absorbed(const HistoryTable& history) { return history.last("internal") + history.last("eroded_energy"); }
 
 std::string cube(double size) { return fmt::format("box: {{size: [{0}, {0}, {0}], cells: [1, 1, 1]}}", size); }

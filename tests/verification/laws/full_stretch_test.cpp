@@ -14,7 +14,7 @@
 namespace percuss::test::full_stretch_test {
 namespace {
 
-/// What a neo-Hookean body has: E = 3, nu = 0.3.
+/// Constants of a neo-Hookean body: E = 3, nu = 0.3.
 constexpr double mu = 3 / 2.6, lambda = 3 * 0.3 / (1.3 * 0.4);
 constexpr double bulk_c10 = 0.3, bulk_c01 = 0.2, bulk = 20;
 
@@ -110,7 +110,7 @@ std::string make_noise(int cells) {
   return text;
 }
 
-/// What is driven grows to `change` in 20 and then rests.
+/// Motion that grows to `change` in 20 and then rests.
 std::string grow(double change) {
   return fmt::format("{{expression: \"{:.17g} * sin(pi * min(t, 20) / 40)^2\"}}", change);
 }

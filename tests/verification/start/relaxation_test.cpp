@@ -321,7 +321,7 @@ output: {history: {every: 5e-5, forces: [{name: floor, contact: [block, base]}, 
     ASSERT_NEAR(run.history["fx:floor"][row], -2 * mass * 30, 6e-3);
     ASSERT_NEAR(run.history["fx:joint"][row], -mass * 30, 6e-3);
   }
-  // What springs hold is no energy that contact gives.
+  // Energy in springs is not given by contact.
   EXPECT_GT(run.summary.relaxation.contact_stored, 0);
   EXPECT_DOUBLE_EQ(run.history["contact_stored"][0], run.summary.relaxation.contact_stored);
   EXPECT_NEAR(run.history.last("contact_stored"), run.summary.relaxation.contact_stored,

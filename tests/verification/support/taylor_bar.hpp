@@ -27,7 +27,7 @@ struct TaylorShape {
 };
 
 enum class TaylorFoot { held, on_wall };
-/// What the cells of its mesh are.
+/// Elements that the cells of its mesh become.
 enum class TaylorCells { hexahedra, tetrahedra, tetrahedra_of_ten_nodes, wedges };
 
 /// Runs a quarter of the bar between its planes of symmetry: 3 n^2 elements a section, 20 n sections; the mesh that a

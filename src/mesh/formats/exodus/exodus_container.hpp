@@ -7,7 +7,7 @@
 
 namespace percuss {
 
-/// What the first bytes say.
+/// Format of the file by its first bytes.
 struct ExodusContainer {
   bool is_hdf5 = false;
   std::uintmax_t bytes = 0;         // length of the file

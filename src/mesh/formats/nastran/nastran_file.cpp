@@ -31,7 +31,7 @@ constexpr std::array property_names{"PSOLID", "PLSOLID", "PSHELL", "PCOMP", "PCO
 constexpr std::array other_elements{"CQUAD8", "CTRIA6", "CQUAD",   "CTRIA",  "CSHEAR",  "CONROD", "CBEND",  "CBEAM3",
                                     "CQUADX", "CTRIAX", "CQUADX4", "CTRAX3", "CQUADX8", "CTRAX6", "CTRIAX6"};
 
-/// What would change the mesh that is read.
+/// Cards that would change the mesh that is read.
 constexpr std::array refused{"GRIDA", "GRIDB", "GRIDF", "GRIDG", "EGRID", "SEBULK", "CGEN"};
 
 template <std::size_t N>

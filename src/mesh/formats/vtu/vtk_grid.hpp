@@ -28,7 +28,7 @@ struct VtkArray {
   std::function<std::vector<double>(std::size_t)> read_reals;
 };
 
-/// What a file has. Points count from 0.
+/// Content of a file. Points count from 0.
 struct VtkGrid {
   TextPlace place;  // of its cells, which errors name
   std::vector<Vec3> points;

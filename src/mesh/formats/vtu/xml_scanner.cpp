@@ -86,7 +86,7 @@ void XmlScanner::read_attributes(XmlTag& tag) {
   }
 }
 
-/// What is open afterwards.
+/// Updates the open tags.
 void XmlScanner::keep_open(XmlTag& tag) {
   if (tag.closes) {
     if (open_.empty() || open_.back() != tag.name)

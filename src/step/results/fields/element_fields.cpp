@@ -15,7 +15,7 @@ namespace percuss {
 
 namespace {
 
-/// What the reading of an element needs besides its record.
+/// Data besides the record for reading an element.
 struct Lives {
   FailingChunks failing;
   ElementLives lives;
@@ -171,7 +171,7 @@ struct ReadBeamForces {
   }
 };
 
-/// What an element has lost of it.
+/// Scales a row by what the element has lost.
 template <class Read>
 KOKKOS_INLINE_FUNCTION void scale(const Lives& lives, int c, int i, double* row) {
   const double share = lives.find_share(c, i);

@@ -74,7 +74,7 @@ struct EnforcedScene {
   EnforcementSums sums;
 };
 
-/// What a step of contact gave a scene in all.
+/// Momentum and energy that a step of contact gave to a scene.
 struct Gain {
   Point3 linear{}, angular{};
   double kinetic = 0;

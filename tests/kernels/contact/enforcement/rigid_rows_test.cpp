@@ -75,7 +75,7 @@ TEST(RigidRows, OfAColumnCarryTheWeightAbove) {
   }
 }
 
-// What slides takes mu times the push, what is slower stops.
+// A sliding body takes mu times the push, a slower one stops.
 TEST(RigidRows, FrictionStopsOrTakesItsLimit) {
   for (const double speed : {0.5 * 0.3 * g * dt, 2 * 0.3 * g * dt}) {
     Column block(1);

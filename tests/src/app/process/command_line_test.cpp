@@ -1,4 +1,4 @@
-// What the arguments mean, and how wrong ones are answered.
+// Meaning of the arguments, and answers to wrong ones.
 
 #include "src/app/process/command_line.hpp"
 

@@ -19,7 +19,7 @@ void show_two(std::FILE* stream, StageLine::Speaker speaker) {
   line.show("building");
 }
 
-/// What the lines leave on a terminal.
+/// Text that the lines leave on a terminal.
 std::string show_on_terminal(StageLine::Speaker speaker) {
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
   EXPECT_EQ(grantpt(terminal), 0);

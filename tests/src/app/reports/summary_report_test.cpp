@@ -1,4 +1,4 @@
-// What `percuss info` tells of a summary.
+// Report of `percuss info` on a summary.
 
 #include "src/app/reports/summary_report.hpp"
 

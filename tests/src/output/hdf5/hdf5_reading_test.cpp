@@ -1,4 +1,4 @@
-// What a damaged HDF5 file claims is not believed.
+// Claims of a damaged HDF5 file are not believed.
 
 #include "src/output/hdf5/hdf5_reading.hpp"
 

@@ -65,7 +65,7 @@ TEST(ShellsOfAMaterial, AreRefusedWhereItHasNoLayer) {
   }
 }
 
-/// What building the scene says with a pressure, on every rank.
+/// Error of building the scene with a pressure, on every rank.
 std::string take_pressure_error(const std::string& pressure) {
   try {
     const Scene scene(text + "loads: {pressure: [" + pressure + "]}\n");

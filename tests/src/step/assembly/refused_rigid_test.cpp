@@ -20,7 +20,7 @@ parts:
 materials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0.3}}
 )yaml";
 
-/// What building the scene says with more keys, on every rank.
+/// Error of building the scene with more keys, on every rank.
 std::string take_rigid_error(const std::string& more, const std::string& text = parts) {
   try {
     const Scene scene(text + more + "\n");

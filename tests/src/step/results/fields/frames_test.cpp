@@ -29,7 +29,7 @@ output: {fields: {every: 1, write: [contact_rank, fe_rank]}}
 
 constexpr std::size_t node_count = 2 * 5 * 5 * 5, inner_nodes = 2 * 3 * 3 * 3, element_count = 2 * 4 * 4 * 4;
 
-/// What a frame has of the division.
+/// Ranks of nodes and elements in a frame.
 struct Frame {
   std::vector<double> contact_ranks, fe_ranks;
 };
