@@ -17,13 +17,13 @@ class MpiError : public std::runtime_error {
 /// Throws MpiError if `code`, returned by the MPI call named `call`, is not MPI_SUCCESS.
 void check_mpi(int code, const char* call);
 
-/// By which clock compute_seconds() counts: that of the thread, which stands still while another program or rank has
-/// its core, or the usual one, which costs a twentieth to read. A reading of the thread's own is a system call; those
-/// of a step with contact would be a twentieth of a small scene's run.
+/// The clock of compute_seconds(): that of the thread, which stands still while another program or rank has its core,
+/// or the usual one, which costs a twentieth to read. A reading of the thread's own is a system call; those of a step
+/// with contact would be a twentieth of a small scene's run.
 enum class WorkClock { thread, usual };
 
-/// Until then a program on several ranks counts by the thread's clock, one on a single rank by the usual one. Between
-/// phases, on each rank by itself.
+/// Chooses the clock. Until then a program on several ranks counts by the thread's clock, one on a single rank by the
+/// usual one. Between phases, on each rank by itself.
 void choose_work_clock(WorkClock clock);
 
 /// Seconds without what the calling thread spent in wait_mpi(): its work. A rank that waits for others may spin or

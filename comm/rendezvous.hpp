@@ -15,7 +15,7 @@ class Rendezvous {
   explicit Rendezvous(const Communicator& ranks, double patience = 5)
       : ranks_(OwnedCommunicator::duplicate(ranks)), patience_(patience) {}
 
-  /// After a meeting in vain this waits for the others: end them before.
+  /// Waits for the others after a meeting in vain: end them before.
   ~Rendezvous();
   Rendezvous(const Rendezvous&) = delete;
   Rendezvous& operator=(const Rendezvous&) = delete;

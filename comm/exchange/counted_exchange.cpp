@@ -10,7 +10,7 @@ constexpr int counted_tag = 1;
 
 }  // namespace
 
-/// In messages of which the last is shorter than a message may be.
+/// Sends in messages of which the last is shorter than a message may be.
 void CountedExchange::send(const PeerRun& run, const std::byte* items, std::size_t item_bytes) {
   std::int64_t left = run.count * static_cast<std::int64_t>(item_bytes);
   const std::byte* next = items + static_cast<std::size_t>(run.first) * item_bytes;

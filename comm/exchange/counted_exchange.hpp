@@ -37,7 +37,7 @@ class CountedExchange {
     return received;
   }
 
-  /// Since construction.
+  /// Messages sent since construction.
   const Traffic& traffic() const { return traffic_; }
 
  private:

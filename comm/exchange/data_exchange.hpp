@@ -75,7 +75,7 @@ class DataExchange {
     return result;
   }
 
-  /// Since construction.
+  /// Messages sent since construction.
   const Traffic& traffic() const { return traffic_; }
 
  private:

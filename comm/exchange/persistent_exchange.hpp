@@ -41,7 +41,7 @@ class PersistentExchange {
   /// Returns when all items have been sent and received. Throws MpiError.
   void end();
 
-  /// Since construction.
+  /// Messages sent since construction.
   const Traffic& traffic() const { return traffic_; }
 
   /// How often requests were prepared.

@@ -19,7 +19,7 @@ enum class PlanMethod {
   consensus,       // synchronous sends and a non-blocking barrier: messages to the receivers only
 };
 
-/// From so many ranks on the fold's vector, P entries sent by each of P ranks, costs more than the consensus.
+/// From this many ranks on the fold's vector, P entries sent by each of P ranks, costs more than the consensus.
 inline constexpr int consensus_from_ranks = 256;
 
 class UnstructuredExchange {

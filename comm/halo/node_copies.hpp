@@ -29,7 +29,7 @@ class NodeCopies {
   /// MpiError.
   NodeCopies(const Communicator& ranks, const SharedNodes& shared, int fields = 1);
 
-  /// From now on the copies of other owners' nodes stay as they are. is_source(rank): the same on all ranks. Not
+  /// Leaves the copies of other owners' nodes unchanged from now on. is_source(rank): the same on all ranks. Not
   /// collective.
   void choose_sources(const std::function<bool(int rank)>& is_source);
 

@@ -56,7 +56,7 @@ std::vector<Holding> sort_holdings(const ExchangePlan& plan, const std::vector<s
   return holdings;
 }
 
-/// For every holder of an id, one sighting of each other holder, with the rank that it is for.
+/// Lists, for every holder of an id, one sighting of each other holder, with the rank that it is for.
 void report_sightings(const std::vector<Holding>& holdings, std::vector<int>& for_rank,
                       std::vector<Sighting>& sightings) {
   for (auto begin = holdings.begin(); begin != holdings.end();) {

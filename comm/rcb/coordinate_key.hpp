@@ -43,7 +43,7 @@ struct CoordinateKey {
   }
 };
 
-/// Before and after every key of a point.
+/// Keys before and after every key of a point.
 inline constexpr CoordinateKey first_key{0, std::numeric_limits<std::int64_t>::min()};
 inline constexpr CoordinateKey last_key{std::numeric_limits<std::uint64_t>::max(),
                                         std::numeric_limits<std::int64_t>::max()};

@@ -35,8 +35,8 @@ Probes probe_around(const Cut& previous);
 /// Evenly between the lowest and the highest coordinate; between their ids if all coordinates are equal.
 Probes probe_evenly(const Bracket& bracket);
 
-/// At the quantiles of samples; progress is certain because the highest key is a probe too. For points that crowd: on
-/// few coordinates, or on widely different scales. samples: of all ranks, in any order.
+/// Probes at the quantiles of samples; progress is certain because the highest key is a probe too. For points that
+/// crowd: on few coordinates, or on widely different scales. samples: of all ranks, in any order.
 Probes probe_quantiles(std::vector<KeySample> samples, const Bracket& bracket);
 
 /// The bin with the target, with its target, out of the bracket that was counted.

@@ -39,7 +39,7 @@ KOKKOS_INLINE_FUNCTION void subtract_vector(const Vector3<double>& u, double* su
   sum[2] -= u.z;
 }
 
-/// To what the nodes feel.
+/// Adds the forces and moments of a beam to those on its nodes.
 KOKKOS_INLINE_FUNCTION void add_beam_forces(const BeamNodalForces<double>& on, const BeamSlots& slots,
                                             const BeamScratch& scratch) {
   double* const first = scratch.forces + BeamScratch::force_size * slots.first;

@@ -33,7 +33,8 @@ PERCUSS_FORCE_INLINE T number(const T& a) requires(!std::is_arithmetic_v<T>) {
   return a;
 }
 
-/// Beside it any number of a scene is large: a divisor that must not vanish. And a number beyond any of a scene.
+/// A number that is small beside any number of a scene: a divisor that must not vanish. And a number beyond any of a
+/// scene.
 template <class T>
 inline constexpr auto next_to_nothing = static_cast<typename ScalarOf<T>::type>(is_short<T> ? 1e-36 : 1e-300);
 template <class T>

@@ -34,8 +34,8 @@ Symmetric3<T> read_tensor_lanes(const double* from) {
   return {a[0], a[1], a[2], a[3], a[4], a[5]};
 }
 
-/// After code of a user has set the state variable that deletes points to `remains`: a deleted point stays so, and has
-/// no stress.
+/// Called after code of a user has set the state variable that deletes points to `remains`: a deleted point stays so,
+/// and has no stress.
 template <class T>
 void end_deleted(const T& before, T& remains, Symmetric3<T>& stress) {
   const auto is_left = (before > T(0)) & (remains > T(0));
@@ -44,8 +44,8 @@ void end_deleted(const T& before, T& remains, Symmetric3<T>& stress) {
     *component = select(is_left, *component, T(0));
 }
 
-/// After code of a user has set the numbers of a history: one that is not finite makes the stress so, which ends the
-/// run in this step.
+/// Called after code of a user has set the numbers of a history: one that is not finite makes the stress so, which ends
+/// the run in this step.
 template <class T>
 void require_finite(const T* history, int count, Symmetric3<T>& stress) {
   T none(0);

@@ -24,7 +24,7 @@ struct RateCurves {
     T rate_slope;  // over the rate; 0 outside the rates
   };
 
-  /// On the host: appends a curve; rows: a range of [x, y]. There must be room.
+  /// Appends a curve, on the host; rows: a range of [x, y]. There must be room.
   template <class Rows>
   void add_curve(double at_rate, const Rows& rows) {
     int row = first[rates];

@@ -40,7 +40,8 @@ struct PrincipalAxes {
   Vector3<T> direction[3];
 };
 
-/// By Jacobi's rotations, cyclic; six sweeps reach round-off from anywhere (Golub and Van Loan, section 8.5).
+/// Finds eigenvalues by Jacobi's rotations, cyclic; six sweeps reach round-off from anywhere (Golub and Van Loan,
+/// section 8.5).
 template <class T>
 KOKKOS_INLINE_FUNCTION PrincipalAxes<T> find_principal_axes(const Symmetric3<T>& a) {
   constexpr int sweeps = 6;

@@ -36,7 +36,7 @@ KOKKOS_INLINE_FUNCTION BodyChange find_change(const BodyResponse& body, const Wr
   return {{m.x * w.impulse.x, m.y * w.impulse.y, m.z * w.impulse.z}, body.inverse_inertia * w.moment};
 }
 
-/// By how much a node at r moves in each direction under a unit impulse in it.
+/// Velocity of a node at r in each direction under a unit impulse in it.
 KOKKOS_INLINE_FUNCTION Vector3<double> find_compliance(const BodyResponse& body, const Vector3<double>& r) {
   const Vector3<double> tx{0, r.z, -r.y}, ty{-r.z, 0, r.x}, tz{r.y, -r.x, 0};  // r x e
   const Symmetric3<double>& w = body.inverse_inertia;

@@ -90,7 +90,7 @@ struct TurningNodes {
 /// made of the number: each turns as a rigid body (rigid_motion.hpp), whose momentum the moments change.
 void predict_tensor_spins(const ExecSpace& space, const SpinInertia& inertia, const TurningNodes& nodes);
 
-/// For nodes whose spin is held in some directions: the change that the held motion causes in the others, whose
+/// For nodes whose spin is held in some directions, adds the change that the held motion causes in the others, whose
 /// momentum stays.
 void follow_held_spins(const ExecSpace& space, const SpinInertia& inertia, const TurningNodes& nodes);
 

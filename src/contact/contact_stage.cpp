@@ -46,7 +46,7 @@ void ContactStage::Impl::count_search() {
   is_step_counted = true;
 }
 
-/// After a restart: the search that found the candidate pairs in use.
+/// Repeats, after a restart, the search that found the candidate pairs in use.
 void ContactStage::Impl::search_again() {
   if (!has_pairs() || !bound.is_valid()) return;
   const Rows3<double> x = spread_to_mesh(ranks, chunks, share, bound.origin());

@@ -85,7 +85,7 @@ class ContactStage {
   /// state.
   void redefine(Rows3<const double> x, Rows3<const double> v);
 
-  /// In a step, after apply(): nodes whose glue has failed, by their numbers, the same on all ranks. break_ties()
+  /// Takes, in a step after apply(), the numbers of nodes whose glue has failed, the same on all ranks. break_ties()
   /// releases them.
   void let_go(const std::vector<std::int64_t>& nodes);
 
@@ -113,13 +113,13 @@ class ContactStage {
   /// Rebuilds the surface for a state from a checkpoint, before archive().
   void restore_surface();
 
-  /// For steps before time 0: walls that move stand still.
+  /// Begins the steps before time 0, in which moving walls stand still.
   void begin_relaxation();
   /// The next step is the first one: contacts keep their history, and all counts and sums begin anew. x: positions at
   /// time 0. Collective.
   void end_relaxation(Rows3<const double> x);
 
-  /// Before the first step, which would be dt: what approach() is then. Collective.
+  /// Finds approach() before the first step, which would be dt. Collective.
   void watch_start(Rows3<const double> x, Rows3<const double> v, double dt);
 
   /// The bound of the next step from bodies that approach each other, as apply() or watch_start() found it last.

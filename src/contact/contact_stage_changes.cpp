@@ -40,7 +40,7 @@ void ContactStage::Impl::renew_finder() {
   candidates = 0;
 }
 
-/// For a surface that has changed: one search for both, where it overlaps now and the pairs of the next steps.
+/// Searches once for a surface that has changed: for its overlap now, and for the pairs of the next steps.
 void ContactStage::Impl::search_changed(const SurfaceMotion& here) {
   candidates = finder->search(here, bound.restart(here, true));
   count_search();

@@ -26,7 +26,7 @@ struct InitialDeck {
   std::optional<RadialVelocityDeck> radial_velocity;
 };
 
-/// About an axis of space at rest, from where the nodes are.
+/// A rotation about an axis of space at rest, from where the nodes are.
 struct TurnDeck {
   std::size_t axis = 0;    // x, y, z
   Vec3 through{};          // a point of the axis

@@ -30,7 +30,7 @@ struct BeamFailureDeck {
   std::optional<double> axial;  // of a tension
   std::optional<double> shear_y, shear_z, torque, moment_y, moment_z;
 };
-/// Over what an element loses its force after the onset of damage; one of them.
+/// Measure over which an element loses its force after the onset of damage; one of them.
 struct DamageEvolutionDeck {
   std::optional<double> displacement, energy, plastic_strain;  // plastic; by area
   std::optional<double> exponent;                              // the force falls exponentially

@@ -97,7 +97,7 @@ struct PartDeck {
   /// Shells need it.
   bool is_membrane() const { return own_elements.integration == ElementDeck::Integration::membrane; }
   bool is_cut_into_tetrahedra() const { return elements == Elements::tetrahedra || has_bare_tetrahedra(); }
-  /// Without nodes in the middle of cells.
+  /// Whether it has tetrahedra without nodes in the middle of cells.
   bool has_bare_tetrahedra() const {
     return elements == Elements::six_tetrahedra || elements == Elements::five_tetrahedra;
   }

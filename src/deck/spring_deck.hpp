@@ -94,7 +94,7 @@ struct JointDeck {
   Place place;
 };
 
-/// About one axis of a turn spring. Angles in radians.
+/// Law about one axis of a turn spring. Angles in radians.
 struct TurnLawDeck {
   std::optional<double> stiffness;                    // [moment / angle]
   std::vector<std::array<double, 2>> table;           // instead: angle, moment; straight on beyond the ends
@@ -130,7 +130,7 @@ struct JointTraits {
   bool has_lead() const { return kind == JointDeck::Kind::screw; }
 };
 
-/// In the order of JointDeck::Kind.
+/// Traits of joints, in the order of JointDeck::Kind.
 inline constexpr std::array joint_traits{
     JointTraits{"spherical", JointDeck::Kind::spherical, JointTraits::Point::all, false, false,
                 "turns about every axis"},

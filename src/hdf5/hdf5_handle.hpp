@@ -61,7 +61,7 @@ class Error : public std::runtime_error {
  public:
   /// Takes the reason from HDF5's error stack: the innermost one, or that of the system where there is one.
   explicit Error(const std::string& action);
-  /// With a reason of our own, where HDF5 is content and we are not.
+  /// An error with a reason of our own, where HDF5 reports none.
   Error(const std::string& action, std::string why) : std::runtime_error(action), reason(std::move(why)) {}
 
   std::string reason;    // "No space left on device"

@@ -68,7 +68,7 @@ class Walk {
     for (const Link& link : list.links) visit_link(group, link, path + "/" + link.name, depth);
   }
 
-  /// After all groups: only now is it known that no link on the way leads to another file.
+  /// Visits soft links after all groups: only now is it known that no link on the way leads to another file.
   void visit_soft_links(hid_t root) {
     for (const std::string& path : soft_links_) {  // one that leads nowhere is an error of whoever opens it
       if (H5Oexists_by_name(root, path.c_str(), H5P_DEFAULT) > 0) visit_object(root, path, path, 0);

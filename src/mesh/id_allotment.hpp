@@ -27,11 +27,11 @@ class IdAllotment {
     }
   }
 
-  /// After assign(): the ids of a part that came with some, and the first id of one that came without.
+  /// The ids, after assign(), of a part that came with some, and the first id of one that came without.
   const std::vector<std::int64_t>& ids(std::size_t part) const { return parts_[part].ids; }
   std::int64_t first_id(std::size_t part) const { return parts_[part].first; }
 
-  /// After assign(): whether the ids that the part came with were raised.
+  /// Whether, after assign(), the ids that the part came with were raised.
   bool raised(std::size_t part) const { return parts_[part].raised; }
 
  private:

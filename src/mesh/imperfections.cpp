@@ -18,7 +18,7 @@
 namespace percuss {
 namespace {
 
-/// From -1 to 1, the same for the same key.
+/// Random number from -1 to 1, the same for the same key.
 double find_random(std::uint64_t key) {
   constexpr double unit = 1.0 / 4503599627370496.0;  // 2^-52
   return static_cast<double>(mix_bits(key) >> 11) * unit - 1;

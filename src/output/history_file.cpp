@@ -150,7 +150,7 @@ void HistoryFile::flush() {
   hash_ = add_to_hash(hash_, rows);
 }
 
-/// After a write that failed: keeps those of its rows that are in the file as a whole.
+/// After a failed write, keeps those of its rows that are in the file as a whole.
 void HistoryFile::cut_to_last_row(std::string_view rows) {
   try {
     const auto there = std::clamp<std::int64_t>(file_.size() - written_, 0, std::ssize(rows));

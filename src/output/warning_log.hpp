@@ -32,7 +32,7 @@ class WarningLog {
   /// Whether the warnings of a rule are dropped.
   bool is_silenced(const std::string& rule) const { return silenced_.count(rule) > 0; }
 
-  /// In the order in which they were found.
+  /// Warnings in the order in which they were found.
   const std::vector<Warning>& list() const { return warnings_; }
 
  private:

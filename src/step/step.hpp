@@ -59,7 +59,7 @@ class Stepper {
   /// What the stepper remembers from step to step, its contact stage included. Collective.
   void archive(CheckpointArchive& archive);
 
-  /// Before start(): an action before all others, which outlives this.
+  /// Adds, before start(), an action before all others, which outlives this.
   void act_first(Action& action) { order_.insert(order_.begin(), &action); }
 
   /// Instead of start(), for a state from a checkpoint: the forces that it does not hold, and the next step, which the
@@ -70,11 +70,10 @@ class Stepper {
   /// Collective.
   void archive_actions(CheckpointArchive& archive, State& state);
 
-  /// After nodes and faces have vanished: what acted on them is no more, and the forces at n are those without it.
-  /// Collective.
+  /// Drops what acts on nodes and faces that have vanished, and computes the forces at n without it. Collective.
   void drop_vanished(State& state);
 
-  /// After State::happened has come from a checkpoint. Collective.
+  /// Sets the switches after State::happened has come from a checkpoint. Collective.
   void set_switches(State& state);
 
   /// What sensors have seen by now, which switches loads and conditions from n on. Collective.
@@ -85,7 +84,8 @@ class Stepper {
   Sensors& sensors() { return *actions_.sensors; }
   const Sensors& sensors() const { return *actions_.sensors; }
 
-  /// From n to n+1. Afterwards state.bound tells whether an element failed; then the state must not be advanced.
+  /// Advances from n to n+1. Afterwards state.bound tells whether an element failed; then the state must not be
+  /// advanced.
   void advance(State& state, StepWishes wishes = {});
 
   /// What any rank wanted by the last step, the same on all ranks.
@@ -100,7 +100,7 @@ class Stepper {
   std::vector<Warning> list_start_warnings() const;
   std::vector<Warning> take_warnings();
   const ContactReport& contact_report() const { return report_; }
-  /// Before the first step: energy in the springs of contact that a relaxation has left.
+  /// Takes, before the first step, the energy in the springs of contact that a relaxation has left.
   void note_stored(double energy) { report_.stored = energy; }
   /// Bodies that request a shorter next step than elements and springs do; null: none.
   const Approach* find_limiting_approach(const State& state) const;

@@ -173,7 +173,7 @@ KOKKOS_INLINE_FUNCTION void accept_touches(const MovingSurface& moving, const Kn
   sort_by_face(accepted);
 }
 
-/// In which turn candidates are checked: first the faces that pushed the node in the last step; then others, but for
+/// Turn in which candidates are checked: first the faces that pushed the node in the last step; then others, but for
 /// those that cannot change what the first hold; at last these, if others are in contact too.
 enum class Turn { remembered, others, skipped, all };
 
@@ -281,7 +281,7 @@ struct NodeCheck : PairNode {
     return false;
   }
 
-  /// After a turn: what comes next.
+  /// Ends a turn and chooses the next one.
   template <Thickness thickness>
   KOKKOS_INLINE_FUNCTION void end_turn(const CheckInputs& inputs) {
     if (next < candidates.last) {

@@ -254,7 +254,7 @@ KOKKOS_INLINE_FUNCTION bool may_have_passed(const FacePack& faces, int lane, dou
   return is_behind && was_in_front;
 }
 
-/// By the plane of the face and by what node and face look at. In: FacePack::range.
+/// Judges a pair by the plane of the face, and by the normals of node and face. In: FacePack::range.
 template <Thickness thickness>
 KOKKOS_INLINE_FUNCTION PairOutlook look_at_pair(const MovingSurface& moving, const PairNode& node, int lane,
                                                 PairPack& pairs) {

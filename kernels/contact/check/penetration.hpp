@@ -10,7 +10,7 @@
 
 namespace percuss {
 
-/// By contact node; depth 0 and face -1 where the node is outside.
+/// Penetration by contact node; depth 0 and face -1 where the node is outside.
 struct PenetrationTable {
   Array<double> depth = Array<double>("contact::depth", 0);        // [length]
   Array<double> ratio = Array<double>("contact::depth_ratio", 0);  // depth / shortest edge of the face

@@ -186,7 +186,7 @@ KOKKOS_INLINE_FUNCTION bool is_near_rim(const EndBeforeRim& e, double shorter, b
   return may_reach(e, contact_limits::history_row_gap * shorter + e.offset);
 }
 
-/// From an end of an edge along the only beam that continues there, at the end of the step; zero: none does.
+/// Vector from an end of an edge along the only beam that continues there, at the end of the step; zero: none does.
 KOKKOS_INLINE_FUNCTION Point3 find_next_along(const EdgeSurface& surface, const SurfaceMotion& motion, int edge,
                                               int end) {
   const int next = find_next_node(surface, edge, end), own = surface.ends(edge, end);

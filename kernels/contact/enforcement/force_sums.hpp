@@ -42,7 +42,7 @@ struct RowSurfaces {
   SideBits pushed, pushing;
 };
 
-/// To which forces a row adds: bit f. Forward: its pushed point is of the first side.
+/// Forces to which a row adds: bit f. Forward: its pushed point is of the first side.
 struct RowSides {
   std::uint32_t forward = 0, backward = 0;
 };

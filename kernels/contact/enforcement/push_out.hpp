@@ -19,8 +19,8 @@ inline constexpr double push_out_ways = 0.25;
 /// thick and held behind it are the stiffest.
 inline constexpr double push_out_stiffness = 1.5;
 
-/// By how much less the row is held after the step, at whose end its gap is `gap`. What opens faster by itself is not
-/// pushed.
+/// Part of its overlap that the row releases after the step, at whose end its gap is `gap`. What opens faster by itself
+/// is not pushed.
 KOKKOS_INLINE_FUNCTION double find_release(const ContactRow& row, double gap, double dt) {
   if (!(row.to_push > 0 && row.reference > 0)) return 0;
   const double fastest = contact_limits::recovery * row.size, calm = row.to_push / push_out_steps;

@@ -226,7 +226,7 @@ KOKKOS_INLINE_FUNCTION void settle_slip(const ContactRow& row, const SlipMotion&
   set_slip_push(slip, find_slip_push(row, slip, free, times), impulse);
 }
 
-/// By how much the slip of a row changes with another impulse [length]; 0 where that does not count.
+/// Change of the slip of a row by another impulse [length]; 0 where that does not count.
 KOKKOS_INLINE_FUNCTION double find_slip_change(const ContactRow& row, const RowImpulse& impulse, double dt) {
   const double change[2] = {impulse.tangential[0] - row.impulse.tangential[0],
                             impulse.tangential[1] - row.impulse.tangential[1]};

@@ -50,7 +50,7 @@ inline constexpr double independent = 0.95;
 /// Edges where faces meet convexly with less than this cosine between their normals can cross others: above 30 degrees
 /// by more than round-off, which would choose among the edges of a cylinder of twelve sides.
 inline constexpr double feature = 0.866025403;
-/// With less than this one (likewise 20 degrees) they hold what has crossed them by blunt_depth.
+/// Edges with a cosine below this one (20 degrees) hold what has crossed them by blunt_depth.
 inline constexpr double blunt = 0.939692620;
 /// Shells are curved where faces meet with less than this one (half a degree: flat meshes have round-off). Faces of
 /// solids that meet less concavely than this sine, of the same angle, are flat or convex.

@@ -33,7 +33,7 @@ KOKKOS_INLINE_FUNCTION Separation find_separation(const TieGeometry& tie, int si
   return of;
 }
 
-/// On a node and the four corners of its face.
+/// Forces of glue on a node and the four corners of its face.
 struct GlueForces {
   Point3 force[5];
 };

@@ -45,7 +45,7 @@ KOKKOS_INLINE_FUNCTION FaceFrame find_frame(const FacePoints& face) {
   return {{along, cross(normal, along), normal}};
 }
 
-/// From the frame `from` to the frame `to`.
+/// Transforms a vector from the frame `from` to the frame `to`.
 KOKKOS_INLINE_FUNCTION Point3 change_frame(const FaceFrame& from, const FaceFrame& to, const Point3& a) {
   return dot(a, from.axis[0]) * to.axis[0] + (dot(a, from.axis[1]) * to.axis[1] + dot(a, from.axis[2]) * to.axis[2]);
 }

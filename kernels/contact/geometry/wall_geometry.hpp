@@ -27,7 +27,7 @@ struct WallGap {
   Point3 normal{}, gradient{};
 };
 
-/// From the centre or the axis; without what is along the axis.
+/// Vector from the centre or the axis, without its part along the axis.
 KOKKOS_INLINE_FUNCTION Point3 find_radial(const ContactWall& wall, const Point3& a) {
   return wall.shape == WallShape::cylinder ? a - dot(wall.along, a) * wall.along : a;
 }
@@ -38,7 +38,7 @@ KOKKOS_INLINE_FUNCTION double find_wall_height(const ContactWall& wall, const Po
   return norm(find_radial(wall, x - wall.point)) - wall.radius;
 }
 
-/// From a cylinder or a sphere. Pushes act along the normal at n, as constraints do in the central difference: a node
+/// Gap to a cylinder or a sphere. Pushes act along the normal at n, as constraints do in the central difference: a node
 /// that slides around keeps its energy. The predicted gap is the way along this normal to the surface, so that a push
 /// brings the node there exactly. offset: that the node keeps.
 KOKKOS_INLINE_FUNCTION WallGap find_round_gap(const ContactWall& wall, const Point3& x, const Point3& v, double dt,

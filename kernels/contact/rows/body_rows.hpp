@@ -34,7 +34,7 @@ void mark_rigid_rows(const WorkSpace& space, const RowInputs& inputs, RowSystem&
 /// Impulse and moment of all entries on the owned places of each body, from their shares.
 std::vector<ExactSum> sum_body_impulses(const WorkSpace& space, RowSystem& system);
 
-/// With those sums of all ranks: RowBodies::wrench and change.
+/// Sets, by those sums of all ranks, RowBodies::wrench and change.
 void set_body_changes(const std::vector<ExactSum>& sums, RowSystem& system);
 
 /// dv of the places of bodies: RowSystem::correction and, in packs, dv + beta (dv - dv of the iterate before).

@@ -24,7 +24,7 @@ struct EnergyUnit {
     return {largest > 0 && std::isfinite(per_unit) ? per_unit : 0};
   }
 
-  /// For the pass after one whose largest term was this: terms shrink as the iteration converges, and the unit with
+  /// Unit of the pass after one whose largest term was this: terms shrink as the iteration converges, and the unit with
   /// them, so that none is lost that matters; terms that grow 256 times in a pass still count in full.
   KOKKOS_INLINE_FUNCTION static EnergyUnit after(double largest) {
     constexpr double growth = 256;

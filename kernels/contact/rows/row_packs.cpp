@@ -58,7 +58,7 @@ KOKKOS_FUNCTION void set_turning(RowPack& pack, const Array<const ContactRow>& r
   }
 }
 
-/// From now on the nodes of the pack are looked at. is_alone: no other thread does so at the same time.
+/// Marks the nodes of the pack as active. is_alone: no other thread does so at the same time.
 KOKKOS_INLINE_FUNCTION void activate_nodes(const RowPack& pack, bool is_alone, const Array<int>& active_nodes) {
   for (const auto& places : pack.place)
     for (const int place : places) {

@@ -107,7 +107,8 @@ struct BlockWalk {
     count_lanes(hit.points, chain.hits);
   }
 
-  /// Without those of `points` that do not lie in a box; only those on a face of it in float are in doubt.
+  /// Bits of those of `points` that lie in a box, checked in double precision; only those on a face of it in float are
+  /// in doubt.
   KOKKOS_INLINE_FUNCTION std::uint32_t check_exactly(const PointBlock<Rule>& block, int place,
                                                      std::uint32_t points) const {
     std::uint32_t in_doubt = points & ~find_lanes_inside<false>(block.points, tree.boxes(place).box);

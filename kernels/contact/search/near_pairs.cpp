@@ -5,8 +5,8 @@
 namespace percuss {
 namespace {
 
-/// By how much node and face can come nearer to the reach of the check, in travels: each by one, and the reach grows
-/// with the edges of the face, which grow by two.
+/// Largest approach of node and face to the reach of the check, in travels: each by one, and the reach grows with the
+/// edges of the face, which grow by two.
 constexpr double approach_in_travel = 2 * (1 + contact_limits::capture);
 /// Room for round-off.
 constexpr double near_slack = 1e-3;

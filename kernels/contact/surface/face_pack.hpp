@@ -86,7 +86,7 @@ KOKKOS_INLINE_FUNCTION void add_face(const MovingSurface& moving, const CheckedN
   set_lane(lane, node.v, pack.velocity);
 }
 
-/// From places and velocities to what load_relative_face() gives.
+/// Converts places and velocities to what load_relative_face() gives.
 KOKKOS_FORCEINLINE_FUNCTION void shift_to_nodes(double dt, FacePack& pack) {
   const PackedPoint origin = load_point(pack.origin), velocity = load_point(pack.velocity);
   for (int i = 0; i < 4; ++i) {

@@ -30,8 +30,8 @@ CalledMaterial make_called_material(const Law& law, double density) {
   return called;
 }
 
-/// With an equation of state. Its bulk modulus takes the place of the law's, and a material without strength gets a
-/// small stiffness for hourglass control only.
+/// Update with an equation of state. Its bulk modulus takes the place of the law's, and a material without strength
+/// gets a small stiffness for hourglass control only.
 template <class Law, class State>
 CalledMaterial make_called_material(const Law& law, double density, const State& state) {
   constexpr double least_share = 0.01;
@@ -67,7 +67,7 @@ inline bool needs_elements(const CalledMaterial& called) {
   return needs;
 }
 
-/// After start_history(): what code of a user gets of the element.
+/// Sets the data of the element that code of a user gets; call after start_history().
 inline void start_element(const CalledMaterial& called, const UserElement& element, double* history) {
   visit_any_of(called.law, Materials(), [&](const auto& law) {
     if constexpr (requires { law.start_element(element, history); })

@@ -47,7 +47,7 @@ struct LowDensityFoam {
   int count_history() const { return StretchHistory::count + (has_hysteresis() ? 1 : 0); }
   static void start(double* history) { StretchHistory::start(history); }
 
-  /// At rest, without lateral strain.
+  /// Moduli at rest, without lateral strain.
   KOKKOS_INLINE_FUNCTION LameConstants moduli() const {
     const double slope = compression.y[1] / compression.x[1];
     return {0, 0.5 * larger(slope, youngs_modulus)};

@@ -58,7 +58,7 @@ struct RateTableFoam {
 
   KOKKOS_INLINE_FUNCTION bool has_tension_rows() const { return compression.x[0] < 0; }
 
-  /// At rest, without lateral strain: the steepest of all curves, and what the overstress may add.
+  /// Moduli at rest, without lateral strain: the steepest of all curves, and what the overstress may add.
   KOKKOS_INLINE_FUNCTION LameConstants moduli() const {
     double steepest = 0;
     for (int k = 0; k < compression.rates; ++k)

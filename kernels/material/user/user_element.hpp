@@ -6,7 +6,7 @@ namespace percuss {
 /// Characteristic lengths that the user's code may tell of an element.
 inline constexpr int most_user_lengths = 12;
 
-/// From the start on.
+/// An element as code of a user sees it, fixed from the start.
 struct UserElement {
   double id = 0;                           // the user's
   double length = 0;                       // edge of a cube of its volume at the start

@@ -177,7 +177,7 @@ struct UserHardening : UserFields {
       if (law.fields > 0) set_fields(step);
     }
 
-    /// By the VUSDFLD, which also changes state variables before the VUHARD gets them.
+    /// Sets the fields by the VUSDFLD, which also changes state variables before the VUHARD gets them.
     void set_fields(const PointStep<T>& step) {
       T* const stretch = step.history + law.find_stretch();
       const T* const element = stretch + StretchHistory::count;

@@ -212,7 +212,7 @@ struct UserLaw : UserFields {
     for (int i = 0; i < 3; ++i) axes.row[i] = {T(a.row[i].x), T(a.row[i].y), T(a.row[i].z)};
     return axes;
   }
-  /// From the axes of space to those of the material, and back.
+  /// Rotates from the axes of space to those of the material, and back.
   template <class T>
   Symmetric3<T> to_material(const Symmetric3<T>& a) const {
     return has_axes() ? push_forward(find_axes_of<T>(), a) : a;
@@ -222,7 +222,7 @@ struct UserLaw : UserFields {
     return has_axes() ? pull_back(find_axes_of<T>(), a) : a;
   }
 
-  /// Without the expansion by the heat of the step before.
+  /// Strain increment without the expansion by the heat of the step before.
   template <class T>
   Symmetric3<T> find_mechanical_strain(const PointStep<T>& step) const {
     if (!keeps_rise()) return step.motion.de;
@@ -285,7 +285,7 @@ struct UserLaw : UserFields {
     write_lanes(spin.z, block.spin + 2 * lane_count<T>);
   }
 
-  /// By the VUSDFLD, which also changes state variables before the VUMAT gets them.
+  /// Sets the fields by the VUSDFLD, which also changes state variables before the VUMAT gets them.
   template <class T, class Block>
   void set_fields(const PointStep<T>& step, Block& block, FieldBlock<lane_count<T>>& field) const {
     FieldPoints<T> points;
@@ -333,7 +333,7 @@ struct UserLaw : UserFields {
     step.stress.xx = T(std::numeric_limits<double>::quiet_NaN());  // ends the run
   }
 
-  /// By the inelastic energy of a unit of mass that the code reports.
+  /// Heats by the inelastic energy of a unit of mass that the code reports.
   template <class T, class Block>
   void heat(const Block& block, PointStep<T>& step) const {
     if (!(specific_heat > 0)) return;

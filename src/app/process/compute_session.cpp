@@ -19,7 +19,7 @@ namespace {
 /// not by far.
 constexpr double bytes_of_element = 100;
 
-/// On a device the host looks into views between kernels (views.hpp), so that each launch has to be over by then.
+/// Waits for each launch: on a device the host reads views between kernels (views.hpp).
 void wait_for_launches() {
 #ifdef PERCUSS_BACKEND_CUDA
   setenv("CUDA_LAUNCH_BLOCKING", "1", 1);

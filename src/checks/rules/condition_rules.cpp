@@ -11,7 +11,7 @@
 namespace percuss {
 namespace {
 
-/// At which a curve is looked at over a run.
+/// Number of points at which a curve is evaluated over a run.
 constexpr int samples = 512;
 
 /// Largest size of a curve, or of its slope, over the run.

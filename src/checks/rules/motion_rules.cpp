@@ -45,7 +45,7 @@ bool is_driven(const WallDeck& wall) { return wall.speed ? is_moving(*wall.speed
 /// Times of the run, in which a body is followed to say when it would arrive.
 constexpr double longer = 1024;
 
-/// By which one part may move another.
+/// Whether the deck has connections by which one part may move another.
 bool has_connections(const Deck& deck) {
   return !deck.springs.empty() || !deck.welds.empty() || !deck.constraints.empty() || !deck.embedded.empty();
 }

@@ -49,11 +49,12 @@ class ApproachWatch {
   /// Whether a step in which no contact node goes farther can be followed by one that has a bound.
   bool may_limit(double largest_way) const;
 
-  /// For the first step, dt at most. Any motion counts, also of bodies whose boxes overlap: nothing has deformed yet.
+  /// Bound of the first step, dt at most. Any motion counts, also of bodies whose boxes overlap: nothing has deformed
+  /// yet.
   Approach look_at_start(const Rows3<const double>& x, const Rows3<const double>& v, double dt);
 
-  /// For the step after that of `motion`. largest_way: longest way of a contact node in it, of all ranks; if that is
-  /// short, nothing else is looked at. Once the boxes of two bodies overlap, the difference of their mean velocities
+  /// Bound of the step after that of `motion`. largest_way: longest way of a contact node in it, of all ranks; if that
+  /// is short, nothing else is looked at. Once the boxes of two bodies overlap, the difference of their mean velocities
   /// counts: their nodes fly in all directions then.
   Approach look(const SurfaceMotion& motion, double largest_way);
 

@@ -31,11 +31,11 @@ class WallWatch {
   /// Whether a step of dt in which no node goes farther than `way` can be followed by one that has a bound.
   bool may_limit(double way, const std::vector<WallMotion>& motions, double dt) const;
 
-  /// For the first step, dt at most. Any motion counts, also of what is at a wall: nothing has deformed yet.
+  /// Bound of the first step, dt at most. Any motion counts, also of what is at a wall: nothing has deformed yet.
   Approach look_at_start(const MovedWalls& walls, const Rows3<const double>& x, const Rows3<const double>& v,
                          double dt) const;
 
-  /// For the step after that of `motion`. Once a part is at the wall, the mean of its nodes' velocities counts.
+  /// Bound of the step after that of `motion`. Once a part is at the wall, the mean of its nodes' velocities counts.
   Approach look(const MovedWalls& walls, const SurfaceMotion& motion) const;
 
  private:

@@ -44,7 +44,7 @@ class NearPairs {
     near_.forget();
   }
 
-  /// They are to be listed at the next check, or none are.
+  /// Requests lists at the next check, or none.
   void ask(const NearWay& way);
   bool is_asked() const { return reachable_.is_due() || near_.is_due(); }
 

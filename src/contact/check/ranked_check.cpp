@@ -159,8 +159,8 @@ void RankedCheck::narrow(const NearWay& way) {
   read_ = base_;
 }
 
-/// After a check that made lists: from now on what is read for these. All ranks come here in the same step, also those
-/// that have not found theirs worth it.
+/// After a check that made lists, requests only what these read. All ranks come here in the same step, also those that
+/// have not found theirs worth it.
 void RankedCheck::request_near_pairs() {
   if (total_pairs_ == 0 || asked_.near <= 0) return;
   if (asked_.search > 0) {

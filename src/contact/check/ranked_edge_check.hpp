@@ -24,7 +24,7 @@ class RankedEdgeCheck {
 
   /// The next check lists the pairs that are near; from the one after it on only what these read is requested.
   void narrow(const NearWay& way);
-  /// After that check.
+  /// Requests what the near pairs read, after that check.
   void request_near_pairs(DataExchange& data);
 
   /// The detailed check of the pairs.

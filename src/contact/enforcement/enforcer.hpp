@@ -34,8 +34,8 @@ class Enforcer {
   /// whether this rank found what it did in the last step.
   RowMeeting meet(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches, bool is_same);
 
-  /// After meet(), with the same arguments: corrects motion.v and fills motion.impulse on every copy of a node; writes
-  /// the history for the next step; fills in what the report says of enforcement.
+  /// Call after meet(), with the same arguments. Corrects motion.v and fills motion.impulse on every copy of a node;
+  /// writes the history for the next step; fills in what the report says of enforcement.
   void enforce(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches,
                ContactHistory& history, ContactReport& report);
 

@@ -23,7 +23,7 @@ Rows3<double> Enforcer::find_pushes() {
   return pushes;
 }
 
-/// For the contact_pressure of a frame that a restart writes before its first step: nothing else needs them.
+/// Only the contact_pressure of a frame that a restart writes before its first step needs these pushes.
 void Enforcer::archive_pushes(CheckpointArchive& archive, const ChunkedMesh& chunked, const OwnedContactNodes& nodes) {
   bool is_written = true;
   if (!archive.has_number("contact/has_pushes")) return;

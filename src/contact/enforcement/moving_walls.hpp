@@ -15,7 +15,7 @@
 
 namespace percuss {
 
-/// Along the normal of a wall, towards the bodies, or along its direction.
+/// Motion of a wall along its normal, towards the bodies, or along its direction.
 struct WallMotion {
   double displacement = 0;  // from its place at time 0 to that at n [length]
   double speed = 0;         // at n-1/2

@@ -17,7 +17,7 @@ class NodeAreas {
   /// Areas of a surface until it is redefined. share outlives this. Collective, as is update(). Throws MpiError.
   NodeAreas(const ContactRanks& ranks, const SurfaceShare& share);
 
-  /// At positions x: [mesh nodes].
+  /// Computes the areas at positions x: [mesh nodes].
   void update(const Rows3<const double>& x);
 
   /// What each face around the owned nodes has, of_own: [faces of the share] of this rank's. Returns [faces of the

@@ -13,7 +13,7 @@
 namespace percuss {
 namespace {
 
-/// In the fold: that a rank has rows; below it stands how many ranks touch its nodes.
+/// Mark in the fold that a rank has rows; the lower bits count the ranks that touch its nodes.
 constexpr int has_rows_mark = 1 << 24;
 
 template <class Answer>

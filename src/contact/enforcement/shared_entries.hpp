@@ -80,7 +80,7 @@ class HostRowNodes {
   explicit HostRowNodes(const RowSystem& system);
   NodeAnswer get(int place) const;
   void set(int place, const NodeAnswer& answer);
-  /// To where kernels run.
+  /// Copies the lists to where kernels run.
   void write(RowSystem& system) const;
 
  private:

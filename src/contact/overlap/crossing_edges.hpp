@@ -28,7 +28,7 @@ PartKinds find_part_kinds(const Mesh& mesh);
 /// All beams of this rank, whether they touch or not.
 std::vector<TravellingEdge> list_beams(const CrossingScene& scene, const HostPlaces& x);
 
-/// By ends and body, the same on all ranks. Collective.
+/// Crossing edges by ends and body, the same on all ranks. Collective.
 std::vector<CrossingEdge> find_crossing_edges(const CrossingScene& scene, const Rows3<const double>& x,
                                               const std::vector<TravellingEdge>& beams);
 

@@ -106,7 +106,7 @@ void find_edges(const OverlapSearch& search, const SurfaceMotion& motion, const 
 /// What this rank knows of an edge.
 constexpr int is_held = 1, began_inside = 2;
 
-/// By edges of all ranks: is_held where this rank has a record of the edge or of an end, began_inside.
+/// Marks the edges of all ranks: is_held where this rank has a record of the edge or of an end, began_inside.
 std::vector<int> find_known(const OverlapSearch& search, const ContactHistory& history, const KnownContact& known,
                             const std::vector<SunkenEdge>& edges) {
   std::set<std::int64_t> held;

@@ -147,7 +147,7 @@ struct EdgeRecord {
   std::array<double, HeldRecords::value_count> values;
 };
 
-/// By (a, b); of two of the same edges the first stays.
+/// Sorts records by (a, b); of two of the same edges the first stays.
 HeldRecords join_records(std::vector<EdgeRecord>& records) {
   std::stable_sort(records.begin(), records.end(),
                    [](const EdgeRecord& p, const EdgeRecord& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });

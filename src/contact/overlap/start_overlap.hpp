@@ -42,7 +42,7 @@ struct OverlapSearch {
   ContactFinder& finder;
   const FlushTies& tied;  // what overlaps at a tie is accepted, and is not counted
 
-  /// By how much boxes that find nodes half a face deep, with the reach of the check, are wider. Collective.
+  /// Margin of boxes that find nodes half a face deep, with the reach of the check. Collective.
   double find_margin(const SurfaceMotion& motion) const;
   /// Searches at these positions with such boxes.
   void search_everywhere(const SurfaceMotion& motion) const { finder.search(motion, find_margin(motion)); }

@@ -241,7 +241,7 @@ bool ContactDecomposition::find_new_owners() {
   return has_changed != 0;
 }
 
-/// After the first bisection: parts to the ranks that have most of their points. parts: [points].
+/// Assigns parts, after the first bisection, to the ranks that have most of their points. parts: [points].
 void ContactDecomposition::assign_parts_once(const std::vector<int>& parts) {
   const Communicator& ranks = exchange_.ranks();
   std::vector<int> rank_of_part = assign_parts(gather_items(ranks, find_overlaps(ranks.rank(), parts)), ranks.size());

@@ -32,7 +32,7 @@ class ContactFinder {
   /// many there are on all ranks. Throws RunError, on all ranks, if they are absurdly many.
   std::int64_t search(const SurfaceMotion& motion, double margin);
 
-  /// From the next check on leaves out the pairs that it cannot accept before some node has used up its travel.
+  /// Leaves out, from the next check on, the pairs that it cannot accept before some node has used up its travel.
   virtual void narrow(const NearWay& way) = 0;
 
   /// Steps (5.6), the detailed check, and (5.7), of the candidate pairs of the last search. history: of the last step.
@@ -81,7 +81,7 @@ class ContactFinder {
   virtual void check_pairs(const SurfaceMotion& motion, const ContactHistory& history) = 0;
   /// Returns the number of touches of this rank's contact nodes and edges.
   virtual int send_results_to_fe_owners(const ContactHistory& history, Array<RowTouch>& touches) = 0;
-  /// After narrow(): what the pairs that are left read is requested from other ranks.
+  /// Requests from other ranks, after narrow(), what the pairs that are left read.
   virtual void request_near_pairs() {}
 };
 

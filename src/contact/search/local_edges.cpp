@@ -41,7 +41,7 @@ void LocalEdges::take_over(const LocalEdges& before) {
   identify_edges();
 }
 
-/// By numbers, which may name another edge of the same lower node later: it lies there, too.
+/// Identifies edges by numbers. A number may name another edge of the same lower node later: it lies there, too.
 void LocalEdges::identify_edges() {
   constexpr std::int64_t most_pieces = 1024;  // count_pieces()
   std::vector<std::int64_t> points, edges;

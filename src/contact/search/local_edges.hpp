@@ -13,7 +13,7 @@ class LocalEdges {
  public:
   /// The share outlives this. A scene without edges does nothing in any call.
   LocalEdges(const SurfaceShare& share, const ContactDeck& deck);
-  /// For one look at the edges of the run's, or at none.
+  /// Edges for one check of those of the run, or of none.
   LocalEdges(const LocalEdges& of_run, bool looks);
 
   /// Goes on with the order of the search of other edges, of which most are the same.

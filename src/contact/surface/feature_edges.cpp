@@ -45,8 +45,7 @@ bool has_folds(const std::vector<EdgeEnds>& folds, std::int64_t lower) {
   return first != folds.end() && first->lower == lower;
 }
 
-/// By part: the longest feature edge of any other part; 0 where none can pass between the nodes of the part.
-/// Collective.
+/// Longest feature edge of any other part, by part; 0 where none can pass between the nodes of the part. Collective.
 std::vector<double> find_passing_lengths(const SharedSides& shared, const Mesh& mesh,
                                          const std::vector<FoundEdge>& beams, const Communicator& ranks) {
   std::vector<double> longest(mesh.parts.size(), 0), passing(longest.size(), 0);
@@ -152,7 +151,8 @@ std::vector<FoundEdge> send_to_lower_nodes(const std::vector<FoundEdge>& beams, 
   return ItemExchange(ranks).send(to, beams);
 }
 
-/// By number. On one rank those of faces come in order, and an edge is large to move: only those behind are sorted.
+/// Sorts edges by number. On one rank those of faces come in order, and an edge is large to move: only those behind are
+/// sorted.
 void sort_edges(std::vector<FoundEdge>& edges) {
   const auto is_before = [](const FoundEdge& a, const FoundEdge& b) { return a.edge.number < b.edge.number; };
   const auto rest = std::is_sorted_until(edges.begin(), edges.end(), is_before);

@@ -55,7 +55,7 @@ std::vector<FoundEdge> find_feature_edges(const ChunkedMesh& chunked, const Surf
                                           UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds,
                                           std::vector<double>& passing);
 
-/// Into how many pieces of at most this length an edge is divided.
+/// Number of pieces of at most this length into which an edge is divided.
 int count_pieces(double length, double piece);
 
 /// Divides edges into pieces of at most 1.25 times the mean length of all ranks' edges that are no lines of smooth

@@ -246,7 +246,7 @@ bool FoldWatch::look(const SurfaceShare& share, const Rows3<const double>& x, lo
   return true;
 }
 
-/// By their lower nodes. A run may begin without.
+/// Archives the folds by their lower nodes. A run may begin without.
 bool FoldWatch::archive(CheckpointArchive& archive, const SurfaceShare& share) {
   auto total = static_cast<std::int64_t>(folds_.size());
   if (!is_active_ || (archive.is_loading() ? !archive.has_number("contact/folds/count") : total == 0)) return false;

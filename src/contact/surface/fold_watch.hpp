@@ -17,7 +17,7 @@ namespace percuss {
 /// much as one for many. Between these only edges that fold fast make one.
 constexpr long fold_steps = 32, slow_fold_steps = 256;
 
-/// At which angle between its faces an edge is a fold [degrees].
+/// Angles between the faces of an edge at which it is a fold [degrees].
 struct FoldAngles {
   double least;  // less is never one: flush flat faces get no rows where their meshes cross
   double bend;   // more than at the start, or the angle of feature edges; smooth bodies that roll stay as they are

@@ -8,8 +8,8 @@
 
 namespace percuss {
 
-/// For many questions in a row. Open addressing at half load: a question costs one look, seldom more, where a bisection
-/// of the list costs a dozen.
+/// Finds places by numbers, for many queries in a row. Open addressing at half load: a query costs one access, seldom
+/// more, where a bisection of the list costs a dozen.
 class NumberMap {
  public:
   NumberMap() = default;
@@ -43,7 +43,7 @@ class NumberMap {
   /// Index of a number, -1 if it is not there.
   int find(std::int64_t number) const { return entries_[find_entry(number)].place; }
 
-  /// By place.
+  /// The numbers by place.
   const std::vector<std::int64_t>& numbers() const { return numbers_; }
 
  private:

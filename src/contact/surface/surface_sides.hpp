@@ -12,7 +12,7 @@
 
 namespace percuss {
 
-/// By face and corner (4 f + i): the other faces around the corner on the side of face f.
+/// The other faces, by face and corner (4 f + i), around the corner on the side of face f.
 struct SideRings {
   std::vector<int> first;  // [4 faces + 1]
   std::vector<int> faces;

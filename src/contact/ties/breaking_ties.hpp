@@ -20,7 +20,7 @@ class BreakingTies {
   /// The ties in use from now on. Collective.
   void use(const TiedSurfaces& ties) { failures_.use(ties); }
 
-  /// In steps before time 0 ties do not fail.
+  /// Keeps ties from failing, in steps before time 0.
   void hold(bool is_held) { is_held_ = is_held; }
 
   /// Whether any can fail in this step, and at which strength.
@@ -45,7 +45,7 @@ class BreakingTies {
   /// Number of released nodes, on all ranks.
   std::int64_t count() const { return failures_.count(); }
 
-  /// Since this was last called.
+  /// Warnings since the last call.
   std::vector<Warning> take_warnings() { return std::exchange(warnings_, {}); }
 
   /// As TieFailures has it. Collective.

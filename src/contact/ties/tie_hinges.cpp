@@ -148,7 +148,7 @@ std::size_t find_farthest(const std::vector<TurningNode>& nodes, const std::vect
   });
 }
 
-/// From the first node of a row to its last.
+/// Line from the first node of a row to its last.
 struct RowLine {
   Vec3 from{}, way{};
   double length = 0, spacing = 0;

@@ -9,7 +9,7 @@ namespace percuss {
 /// The nearest to a place or the one with an id, maybe only of a part.
 Keys<HistoryPoint> point_keys();
 
-/// It has one of near and id. Notes its place in the deck.
+/// Checks that a point has one of near and id. Notes its place in the deck.
 bool check_point(const Reader& reader, const Node& node, HistoryPoint& point);
 
 }  // namespace percuss

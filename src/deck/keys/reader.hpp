@@ -42,10 +42,10 @@ class Reader {
  public:
   explicit Reader(Reading& reading) : reading_(&reading) {}
 
-  /// For the values in the map that messages call `name` ("time", "initial.0").
+  /// Reader of the values in the map that messages call `name` ("time", "initial.0").
   Reader inside(const std::string& name) const;
 
-  /// For the values of something that the user named: kind "part", name "rod".
+  /// Reader of the values of something that the user named: kind "part", name "rod".
   Reader inside_named(const std::string& kind, const std::string& name) const;
 
   /// "time.end" or "density": how messages call the key `key` of this map.

@@ -9,7 +9,7 @@
 
 namespace percuss {
 
-/// From now on these files are loaded, and no others.
+/// Permits these files, and no others, to be loaded from now on.
 void permit_user_code(const std::vector<std::string>& files);
 
 /// Whether the file is one of those that are permitted, by whatever path.

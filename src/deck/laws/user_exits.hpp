@@ -5,7 +5,7 @@
 
 namespace percuss {
 
-/// From now on `end` ends all ranks at once, before the process ends itself. It does not return.
+/// Sets what ends all ranks at once, before the process ends itself. `end` does not return.
 void set_end_of_ranks(std::function<void()> end);
 
 /// Ends all ranks with exit code 3 and one message, that of the first thread that comes here. library: its file; how:

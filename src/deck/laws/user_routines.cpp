@@ -150,7 +150,7 @@ PERCUSS_USER_ROUTINE void getrank_(int* rank) { vgetrank_(rank); }
 PERCUSS_USER_ROUTINE int getcommunicator_() { return context().run.communicator; }
 
 PERCUSS_USER_ROUTINE int getnumthreads_() { return context().run.threads; }
-/// From 0 on, in the order in which threads ask.
+/// Number of the thread from 0, in the order in which threads ask.
 PERCUSS_USER_ROUTINE int get_thread_id_() {
   static std::atomic<int> next = 0;
   thread_local const int own = next++;

@@ -18,7 +18,7 @@ struct UserRun {
   std::function<void()> end;  // ends all ranks at once; does not return
 };
 
-/// From now on the code gets this.
+/// Sets the data that the code gets from now on.
 void set_user_run(UserRun run);
 
 /// A text of Fortran without the blanks at its end, and one filled up with them.

@@ -46,7 +46,7 @@ struct RateCurveValue {
 struct RateCurvesValue {
   RateCurveValue curve;
 
-  /// Into the tables and numbers of the law (name_curve()).
+  /// Reads a curve into the tables and numbers of the law (name_curve()).
   bool read(const Reader& reader, const std::string& name, const Node& node, const std::string& key,
             LawDeck& law) const {
     std::vector<RateCurve> curves;

@@ -80,7 +80,7 @@ const Keys<ForceDeck>& section_keys() {
   return keys;
 }
 
-/// By a plane, with `point` and `normal`; or by `nodes` and `elements`.
+/// Checks a section: by a plane, with `point` and `normal`; or by `nodes` and `elements`.
 bool check_section(const Reader& reader, const Node& node, ForceDeck&) {
   const auto has = [&](const char* key) { return node.find(key) != nullptr; };
   const bool is_of_plane = has("point") || has("normal") || has("part"), is_of_sets = has("nodes") || has("elements");

@@ -13,7 +13,7 @@ namespace percuss {
 /// What some editors put before the text of a file in UTF-8.
 inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-/// Without blanks, tabs and returns at both ends.
+/// The cell without blanks, tabs and returns at both ends.
 std::string_view trim_cell(std::string_view text);
 
 /// The trimmed cells of a row; at least one.

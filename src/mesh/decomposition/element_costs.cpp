@@ -9,7 +9,7 @@ namespace {
 /// Only the nodes of a rigid body move.
 constexpr int rigid_cost = 9;
 
-/// In thirty-seconds of a hexahedron; called: more, where packs call the law instead of having it in their body.
+/// Cost in thirty-seconds of a hexahedron; called: more, where packs call the law instead of having it in their body.
 struct KindCost {
   int own, called;
 };

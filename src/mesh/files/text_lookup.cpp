@@ -303,7 +303,7 @@ void TextLookup::add_sides(const TextBuilder::Side& side, std::vector<FileSide>&
   }
 }
 
-/// From nodes to the shells around them: the mean of the corners, where each has a thickness.
+/// Gives shells the mean thickness of their corners, where each has one.
 void TextLookup::average_thicknesses() {
   if (from_.averaged_.empty()) return;
   std::vector<double> of_node(to_.nodes.size() + 1, 0);

@@ -25,7 +25,7 @@ struct TextContents {
   std::map<std::string, std::vector<FileSide>> sides_of_sets;  // sides are faces of the topology, from 1
   std::vector<std::string> notes;
 
-  /// Behind the others, with its elements by their ids.
+  /// Adds a block behind the others, with its elements by their ids.
   void add_block(FileBlock block, const std::vector<std::int64_t>& ids, std::vector<std::int64_t> own_corners,
                  std::vector<double> own_thicknesses) {
     block.elements = static_cast<std::int64_t>(ids.size());

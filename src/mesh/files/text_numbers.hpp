@@ -8,10 +8,10 @@
 
 namespace percuss {
 
-/// Without blanks at both ends.
+/// The text without blanks at both ends.
 std::string_view strip_blanks(std::string_view text);
 
-/// In capitals.
+/// The text in capitals.
 std::string to_upper(std::string_view text);
 
 /// Whether the first line that is neither empty nor a comment begins with a word, written in capitals. comment: what

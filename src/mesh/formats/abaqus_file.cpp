@@ -215,7 +215,7 @@ class AbaqusReader {
     }
   }
 
-  /// Without a name all faces, of which selections keep the free ones.
+  /// Sides of a surface; without a name all faces, of which selections keep the free ones.
   std::vector<TextSide> list_sides(const std::string& name) const {
     std::vector<TextSide> sides;
     if (!name.empty()) {

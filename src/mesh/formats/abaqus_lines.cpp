@@ -20,7 +20,7 @@ std::vector<std::string_view> cut(std::string_view line) {
   return fields;
 }
 
-/// In capitals, blanks between words as one.
+/// The text in capitals, with one blank between words.
 std::string join_words(std::string_view text) {
   std::string words;
   for (const char c : to_upper(strip_blanks(text))) {

@@ -131,7 +131,8 @@ class GmshReader {
     scan_.is_binary = was_binary;
   }
 
-  /// In version 2.0 a name has no dimension, and counts for groups of any. Some programs give it one all the same.
+  /// Reads a name. In version 2.0 it has no dimension, and counts for groups of any. Some programs give it one all the
+  /// same.
   void read_name() {
     const std::int64_t first = scan_.next_integer<int>(names_have_dimensions_ ? "a dimension" : "a group");
     const TextPlace place = scan_.place();

@@ -93,7 +93,7 @@ class KeywordReader {
 
   std::string name_part(std::int64_t part) const { return fmt::format("block_{}", part); }
 
-  /// On one line, or the nodes on a second one.
+  /// Reads solids: on one line, or with the nodes on a second one.
   void read_solids() {
     std::vector<std::int64_t> nodes;
     while (cards_.next_line()) {

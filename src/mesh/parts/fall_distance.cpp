@@ -31,7 +31,7 @@ double find_entry(const Vec3& x, const Vec3& d, double radius) {
   return b > 0 ? (-b - root) / a : c / (-b + root);  // without cancellation
 }
 
-/// Along the axes of a finite wall.
+/// Whether a point is within a finite wall, along its axes.
 bool is_within(const WallDeck& wall, const Vec3& x) {
   const Vec3 from = subtract(x, wall.point);
   if (wall.cylinder) {
@@ -197,7 +197,7 @@ class ProjectedBody {
 
   static double find_width(const ProjectedTriangle& t) { return std::max(t.high[0] - t.low[0], t.high[1] - t.low[1]); }
 
-  /// Beside the others of the body: it would lie in too many cells.
+  /// Whether a triangle is large beside the others of the body: it would lie in too many cells.
   bool is_large(const ProjectedTriangle& t) const {
     constexpr double most_cells = 32;
     return find_width(t) > most_cells * width_;

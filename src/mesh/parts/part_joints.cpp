@@ -117,7 +117,7 @@ class CandidateCells {
     return false;
   }
 
-  /// After is_crowded().
+  /// Visits near pairs; call after is_crowded().
   template <class Visit>
   void for_each_pair(const Visit& visit) const {
     for (const Candidate& c : candidates_) {

@@ -32,7 +32,7 @@ class PartPlacement {
   /// Place of a local point of a copy [length]. Copies count along x first.
   Vec3 operator()(const Vec3& local, int copy) const;
 
-  /// After all that the deck says of the part alone.
+  /// Adds a motion after all that the deck says of the part alone.
   void move(const Motion& motion) { motions_.push_back(motion); }
 
  private:

@@ -43,7 +43,7 @@ void check_chunk(const ChunkPieces& pieces, std::size_t chunk, const Topology& t
   }
 }
 
-/// By part.
+/// Findings by part.
 std::vector<GeometryFindings> check_share(const SceneParts& scene, const Communicator& ranks,
                                           const ChunkPieces& pieces) {
   std::vector<GeometryFindings> findings(scene.parts.size());

@@ -51,7 +51,7 @@ std::vector<std::int64_t> accept_ids(std::vector<std::int64_t> ids, const char* 
   return ids;
 }
 
-/// From a file to a part: reads block after block, then keeps the nodes and set entries that the blocks use.
+/// Makes a part from a file: reads block after block, then keeps the nodes and set entries that the blocks use.
 class PartReader {
  public:
   PartReader(const MeshFile& file, Choice choice) : file_(file), choice_(std::move(choice)) {}

@@ -21,7 +21,8 @@ struct CellBlock {
   int elements_of_cell = 1;
 };
 
-/// In the local coordinates that deck.hpp gives for the shape. Indexes count from 0 within one copy of it.
+/// Nodes and elements of a shape, in the local coordinates that deck.hpp gives for it. Indexes count from 0 within one
+/// copy of it.
 class ShapeSource {
  public:
   static constexpr int interior = -1;

@@ -11,7 +11,7 @@
 
 namespace percuss {
 
-/// In the order of `topologies`.
+/// Kinds of topologies, in the order of `topologies`.
 enum class TopologyKind : std::uint8_t { hex8, quad4, tri3, tet4, line2, wedge6, pyramid5 };
 
 inline constexpr std::array topologies{hex8_topology,  quad4_topology,  tri3_topology,    tet4_topology,

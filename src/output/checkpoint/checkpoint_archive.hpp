@@ -88,9 +88,9 @@ class CheckpointArchive {
   virtual void rows(const std::string& name, const ChunkRows& rows, int components, std::span<double> values) = 0;
   virtual void rows(const std::string& name, const ChunkRows& rows, int components, std::span<std::int64_t> values) = 0;
 
-  /// For rows whose number the checkpoint itself gives, before memory is taken for them. counts: [chunks of this rank]
-  /// rows that each is to have, negative for a number that cannot be. Loading, throws InputError, on all ranks, if the
-  /// array has another number of rows.
+  /// Checks rows whose number the checkpoint itself gives, before memory is taken for them. counts: [chunks of this
+  /// rank] rows that each is to have, negative for a number that cannot be. Loading, throws InputError, on all ranks,
+  /// if the array has another number of rows.
   virtual void expect_rows(const std::string& name, std::span<const std::int64_t> counts, int components) = 0;
 
   /// rows() for a view of any shape whose memory has the rows one after the other.

@@ -46,7 +46,7 @@ class CheckpointWriter : public CheckpointArchive {
   /// Begins a file beside `path`. `mesh` outlives this. Collective, as is everything below. Throws SystemError.
   CheckpointWriter(const std::string& path, const CheckpointHeader& header, const ChunkedMesh& mesh,
                    const Communicator& ranks);
-  /// Without finish() the file is removed.
+  /// Removes the file if finish() was not called.
   ~CheckpointWriter() override;
   CheckpointWriter(const CheckpointWriter&) = delete;
   CheckpointWriter& operator=(const CheckpointWriter&) = delete;
@@ -149,7 +149,7 @@ CheckpointHeader read_checkpoint_header(const std::string& path);
 /// Whether an HDF5 file calls itself a checkpoint of percuss; false for what cannot be read.
 bool is_checkpoint(const std::string& path);
 
-/// In words, for `percuss info`. Throws InputError, SystemError.
+/// Describes a checkpoint in words, for `percuss info`. Throws InputError, SystemError.
 std::string describe_checkpoint(const std::string& path);
 
 }  // namespace percuss

@@ -32,7 +32,7 @@ struct FrameFormat {
   std::vector<std::string> list_endings() const;
 };
 
-/// In the order of FieldsFormat.
+/// Formats in the order of FieldsFormat.
 const std::vector<FrameFormat>& frame_formats();
 
 /// Formats of an output.

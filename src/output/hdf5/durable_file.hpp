@@ -63,7 +63,7 @@ class DurableFile {
   /// A block as it is written: by all ranks together, and noted, to be compared with what is read back.
   RowBlock complete(RowBlock block);
   RowBlock block_of_first_rank(hsize_t rows);
-  /// To which each rank brings some rows, rank after rank.
+  /// Block to which each rank contributes some rows, rank after rank.
   RowBlock block_of_all(std::size_t count);
 
  private:

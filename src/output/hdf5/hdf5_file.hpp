@@ -33,7 +33,7 @@ Handle open_durable_file(const std::string& path, const Communicator& ranks);
 /// How several ranks write data: all of them at once.
 Handle create_collective_transfer();
 
-/// Before a file is given up: from now on what HDF5 writes to it goes nowhere. After a failed write it must not reach
+/// Discards what HDF5 writes to a file from now on, before the file is given up. After a failed write it must not reach
 /// the disk: it would refer to data that are not there. What is open within the file is closed after this, but not the
 /// file itself (Handle::release()): HDF5 1.10 cannot close one that it could not flush. Collective.
 void turn_away(const Handle& file, const Communicator& ranks);

@@ -153,7 +153,7 @@ class HeldDirectionFinder {
         is_switched ? "of which a sensor switches one" : "that move it", deck_.where(other.where.place));
   }
 
-  /// On all ranks, if any has found one.
+  /// Throws on all ranks, if any has found a contradiction.
   void throw_contradiction() {
     MergeReduction<Contradiction>()(model_.ranks, first_);
     if (first_.condition == Contradiction::none) return;

@@ -23,7 +23,7 @@ namespace percuss {
 
 namespace {
 
-/// By length of what depends on the size of elements.
+/// Evolution of damage; what depends on the size of elements is by length.
 DamageEvolution make_evolution(const DamageEvolutionDeck& deck) {
   DamageEvolution evolution;
   if (deck.plastic_strain) evolution.by_strain = 1 / *deck.plastic_strain;

@@ -56,8 +56,8 @@ class Audit {
   /// The first call sets what later ones are compared with. One message a rank. Collective.
   AuditResult operator()(const State& state, double wall_energy = 0);
 
-  /// For a scene that begins at rest under loads, whose balances of momentum are round-off: momentum and moment that it
-  /// would have if so much energy moved it. reach: of its nodes from its mass centre [length].
+  /// Sets the scale of a scene that begins at rest under loads, whose balances of momentum are round-off: momentum and
+  /// moment that it would have if so much energy moved it. reach: of its nodes from its mass centre [length].
   void note_scale(double energy, double reach);
 
   /// The largest energy that was held in any state so far, by which errors are measured.

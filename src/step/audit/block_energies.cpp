@@ -149,7 +149,7 @@ void BlockEnergies::sum_nodes(const Model& model, const State& state) {
       });
 }
 
-/// By the shapes of their elements; of a body whose masses the deck gives, nothing.
+/// Adds the chunks of rigid bodies by the shapes of their elements; of a body whose masses the deck gives, nothing.
 void BlockEnergies::add_rigid_chunks(const Model& model, const State& state, std::vector<ExactSum>& sums) {
   if (!model.rigid.any()) return;
   if (!find_forces_) find_forces_.emplace(model);

@@ -23,7 +23,7 @@ struct HourglassDisplacement {
 HourglassDisplacement find_hourglass_displacement(const Topology& topology, std::span<const Vec3> start,
                                                   std::span<const Vec3> now);
 
-/// For each of some elements that lie side by side the share of its hourglass motion that alternates, 0 to 1; 1 without
+/// Share of the hourglass motion that alternates, of each of some elements that lie side by side, 0 to 1; 1 without
 /// neighbours among them. motions: [elements].
 std::vector<double> find_alternating_shares(const Mesh& mesh, int first_element,
                                             const std::vector<HourglassDisplacement>& motions);

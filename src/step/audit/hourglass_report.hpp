@@ -21,7 +21,7 @@ struct PartHourglass {
   bool is_fluid = false;  // it has no shear stiffness
 };
 
-/// From where on hourglass energy is reported: shares of what a part stores besides, and energies.
+/// Limits above which hourglass energy is reported: shares of what a part stores besides, and energies.
 struct HourglassLimits {
   double share = 0, least = 0;
   double whole_share = 0;   // of all of it, where it is not the stiffness of the material

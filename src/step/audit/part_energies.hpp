@@ -15,7 +15,7 @@
 
 namespace percuss {
 
-/// In the order of the deck's list; of `all`, in that of the parts.
+/// Parts in the order of the deck's list; of `all`, in that of the parts.
 std::vector<BookedPart> find_booked_parts(const Deck& deck);
 
 /// The columns, part after part.

@@ -30,7 +30,7 @@ const char* find_refusal(const Deck& deck, const ElementBlock& block) {
   return nullptr;
 }
 
-/// On all ranks alike: they know all blocks.
+/// Throws on all ranks alike: they know all blocks.
 void refuse_others(const Deck& deck, const Mesh& mesh) {
   for (const ElementBlock& block : mesh.elements.blocks) {
     if (find_factor(deck, block.part) == 0) continue;

@@ -41,7 +41,7 @@ bool has_other_criteria(const FailureDeck& failure) {
          failure.step || failure.inverted;
 }
 
-/// On all ranks alike: they know all blocks.
+/// Throws on all ranks alike: they know all blocks.
 void check_blocks(const Deck& deck, const Mesh& mesh) {
   for (const ElementBlock& block : mesh.elements.blocks) {
     if (!is_of_beams(block)) continue;

@@ -119,7 +119,7 @@ void refuse_skins_alone(const Deck& deck) {
                   deck.where(deck.parts.front().place)));
 }
 
-/// On all ranks alike: they know all blocks.
+/// Throws on all ranks alike: they know all blocks.
 void check_materials(const Deck& deck, const Mesh& mesh) {
   refuse_skins_alone(deck);
   for (const ElementBlock& block : mesh.elements.blocks) {

@@ -6,7 +6,7 @@
 namespace percuss {
 namespace {
 
-/// By the modes of the element's kernel.
+/// Volume by the modes of the element's kernel.
 double find_kernel_volume(const Mesh& mesh, std::size_t element) {
   if (mesh.topology_of(element).family != ElementFamily::hexahedra) return find_element_volume(mesh, element);
   const ElementCorners corners = gather_corners(mesh.elements, element, mesh.nodes);

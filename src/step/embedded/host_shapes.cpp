@@ -105,7 +105,7 @@ std::optional<Vec3> find_step(const Shapes& shapes, std::span<const Vec3> corner
               triple_product(along[0], along[1], missing) / volume};
 }
 
-/// From where the shapes put the point to where it is.
+/// Vector from where the shapes put the point to where it is.
 Vec3 find_missing(const Shapes& shapes, std::span<const Vec3> corners, const Vec3& place) {
   Vec3 missing = subtract(place, corners[0]);
   for (std::size_t i = 1; i < corners.size(); ++i)

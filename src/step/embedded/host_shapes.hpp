@@ -14,8 +14,8 @@ struct HostPoint {
   double outside = 0;  // how far it is beyond the faces, as a share of the size of the solid; at most 0: within
 };
 
-/// By the shape functions of hexahedra, wedges, pyramids and tetrahedra with straight edges. corners: as many as the
-/// topology has. None: the point is far outside, or the solid has no volume there.
+/// Finds a point by the shape functions of hexahedra, wedges, pyramids and tetrahedra with straight edges. corners: as
+/// many as the topology has. None: the point is far outside, or the solid has no volume there.
 std::optional<HostPoint> find_host_point(TopologyKind kind, std::span<const Vec3> corners, const Vec3& place);
 
 }  // namespace percuss

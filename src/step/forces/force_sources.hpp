@@ -17,7 +17,7 @@ class SupportForce {
   /// Collective. Throws InputError, on all ranks, if no condition holds one of these nodes or bodies.
   SupportForce(const Deck& deck, const ForceDeck& force, const ChunkedMesh& chunked, const Model& model);
 
-  /// After sensors have switched conditions.
+  /// Renews the sources after sensors have switched conditions.
   void renew(const State& state);
 
   /// Impulse on this rank's nodes in a step. Call with v at n+1/2, x and forces at n. reactions: of rigid bodies, empty

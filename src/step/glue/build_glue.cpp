@@ -78,7 +78,7 @@ void number_nodes(const std::vector<TiedNode>& glued, GlueModel& glue) {
   glue.nodes.erase(std::unique(glue.nodes.begin(), glue.nodes.end()), glue.nodes.end());
 }
 
-/// From a node to the glue: what its own shell has of the distance between both meshes, shells and gap.
+/// Vector from a node to the glue: what its own shell has of the distance between both meshes, shells and gap.
 Point3 find_arm(const TiedNode& tied) {
   const Point3 normal = find_face_normal(tied.geometry.face);
   return (-tied.own_share * dot(tied.geometry.offset, normal)) * normal;

@@ -120,7 +120,8 @@ double StartRecords::set_solid_stress(const StartElement& of, const double* stre
   return find_element_volume(mesh_, at(of.element)) * find_energy(of.moduli, stress);
 }
 
-/// In the frame of the shell: each layer has its stress in the plane, the shear across is the mean of all layers.
+/// Sets stresses in the frame of the shell: each layer has its stress in the plane, the shear across is the mean of all
+/// layers.
 std::string StartRecords::set_shell_stress(const StartElement& of, const StartRow& row, double& energy) {
   const double thickness = get(of, ShellRecord::thickness);
   const ShellPlace place = find_place(mesh_, at(of.element), thickness, of.moduli.mu);

@@ -33,7 +33,7 @@ Vector find_way(const JointEnd& end, const std::vector<RigidState>& now, const s
   return dt * (to.velocity + cross(to.spin, middle));
 }
 
-/// By how much the axis of the first body is turned against that of the second, about the sides, as a length.
+/// Rotation of the axis of the first body against that of the second, about the sides, as a length.
 std::array<double, 2> find_turned(const Joint& joint, const JointFrame& frame, const std::vector<RigidState>& bodies) {
   const Vector axis = find_direction(joint.ends[0], joint.ends[0].axis, bodies);
   const Vector turned = cross(find_direction(joint.ends[1], joint.ends[1].axis, bodies), axis);

@@ -9,7 +9,7 @@
 
 namespace percuss {
 
-/// At one distance, in kPa and ms. Impulses are those of the positive phase.
+/// A blast wave at one distance, in kPa and ms. Impulses are those of the positive phase.
 struct BlastWave {
   double arrival = 0, duration = 0;
   double incident = 0, incident_impulse = 0;    // of the wave that passes

@@ -19,7 +19,7 @@ class FictitiousMasses : public Action {
   /// Both outlive this.
   FictitiousMasses(const ChunkedMesh& chunked, const Model& model);
 
-  /// With their physical masses.
+  /// Bounds of the elements with their physical masses.
   const ElementBounds* asked_bounds() const override { return &bounds_; }
 
   /// Gives the nodes of a state these masses, by the stable steps that have been written last. Returns what the

@@ -21,7 +21,7 @@ KOKKOS_INLINE_FUNCTION double find_16th_root(double a) { return std::sqrt(std::s
 /// No corner has less of the mass of its element.
 constexpr double least_share = 0.125;
 
-/// By how much more than what they lack by themselves elements give a node what its neediest element asks.
+/// Factor by which elements give a node more than they lack themselves, so that its neediest element has enough.
 KOKKOS_INLINE_FUNCTION double find_demand(const Rows3<const double>& nodes, int n) {
   const double lacking = nodes(n, SharedMass::lacking);
   const double most = find_16th_root(nodes(n, SharedMass::need) / least_share);

@@ -37,7 +37,7 @@ class Action {
 
   // The moments of a step, in their order.
 
-  /// At time 0, before the first forces.
+  /// Called at time 0, before the first forces.
   virtual void start(State& /*state*/) {}
   /// x and forces at n, v at n-1/2.
   virtual void begin_step(const State& /*state*/, const StepTimes& /*times*/) {}
@@ -60,7 +60,7 @@ class Action {
   virtual void move(State& /*state*/, const StepTimes& /*times*/) {}
   /// Forces at n+1, and their work in the step; dt = 0: those at time 0.
   virtual void advance(State& /*state*/, double /*dt*/) {}
-  /// These forces into slots of this rank. time: of the state.
+  /// Adds its forces to slots of this rank. time: of the state.
   virtual void add_forces(State& /*state*/, double /*time*/) {}
   /// The second half of the work. time: n+1. takes_gravity: constant gravity on held directions counts too, which
   /// matters where what is held changes.
@@ -72,18 +72,18 @@ class Action {
   virtual double largest_step(const State& /*state*/) const { return std::numeric_limits<double>::infinity(); }
   /// Whether this rank requests change_masses(). bounds: [chunks] least of the elements of each. Not collective.
   virtual bool wants_masses(const State& /*state*/, const HostMirror<Array<double>>& /*bounds*/) const { return false; }
-  /// After the forces at n, where a rank has asked.
+  /// Changes masses after the forces at n, where a rank has requested it.
   virtual void change_masses(State& /*state*/, Bookkeeper& /*books*/) {}
 
   // Between steps.
 
-  /// After events: which conditions hold from n on. Not collective.
+  /// Called after events: which conditions hold from n on. Not collective.
   virtual void set_switches(State& /*state*/) {}
-  /// After elements have died or a checkpoint was read: what acts on nodes that have vanished is no more.
+  /// Called after elements have died or a checkpoint was read: drops what acts on nodes that have vanished.
   virtual void drop_vanished(State& /*state*/) {}
   /// What it remembers of the state and of itself; of masses, loading sets those of the nodes too.
   virtual void archive(CheckpointArchive& /*archive*/, State& /*state*/) {}
-  /// After all of a checkpoint has been read.
+  /// Called after all of a checkpoint has been read.
   virtual void resume(const State& /*state*/) {}
 
   // What it says. The same on all ranks; not collective but for append_values().
@@ -92,10 +92,10 @@ class Action {
   virtual std::vector<HistoryColumn> list_columns() const { return {}; }
   /// Their values at n, at the end of a row.
   virtual void append_values(const State& /*state*/, std::vector<double>& /*row*/) {}
-  /// Before the first step: what is to be said of it, and what is suspicious of its input.
+  /// Notes before the first step, and warnings about its input.
   virtual std::vector<std::string> list_notes() const { return {}; }
   virtual std::vector<Warning> list_start_warnings() const { return {}; }
-  /// Since the last call.
+  /// Warnings since the last call.
   virtual std::vector<Warning> take_warnings() { return {}; }
 
   // What the stepper may leave out.

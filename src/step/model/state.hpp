@@ -145,7 +145,7 @@ Gravity find_gravity(const Model& model, double time);
 /// Gravity whose work is its product with the displacements: none if it varies, whose work is booked step by step.
 Gravity find_constant_gravity(const Model& model);
 
-/// From now on the masses of the nodes are the state's own, if they were the model's.
+/// Gives the state masses of the nodes of its own, if they were the model's.
 void own_masses(const Model& model, State& state);
 
 /// 64 bits of all positions, velocities and element records, by number in the whole mesh: independent of ranks, threads

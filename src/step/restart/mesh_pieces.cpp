@@ -111,7 +111,7 @@ void add_sets(const ChunkedMesh& chunked, Pieces& pieces) {
   }
 }
 
-/// By its bytes: a restart does not read the fields again. Who reads them refuses what is no file.
+/// Adds a file by its bytes: a restart does not read the fields again. Who reads them refuses what is no file.
 void add_file(const std::string& path, Pieces& pieces) {
   if (std::error_code error; !std::filesystem::is_regular_file(path, error)) return;
   const PosixFile file(path, O_RDONLY);
@@ -145,7 +145,7 @@ struct Piece {
   std::string_view hash, count;
 };
 
-/// By what they are; of several of one name (blocks of a part) the second is "... (2)".
+/// Pieces by what they are; of several of one name (blocks of a part) the second is "... (2)".
 std::map<std::string, Piece> split_pieces(const std::vector<std::string>& lines) {
   std::map<std::string, Piece> pieces;
   for (const std::string_view line : lines) {

@@ -21,9 +21,9 @@ class RunCheckpoints {
 
   /// Whether one is left when the run comes to its end.
   bool is_wanted_at_end() const { return output_.checkpoint_at_end; }
-  /// By simulated time.
+  /// Whether one is due by simulated time.
   bool is_due(double time) const { return due_.is_due(time); }
-  /// By the clock, of this rank: all have to agree.
+  /// Whether one is due by the clock of this rank: all have to agree.
   bool is_clock_due() const;
   /// Step of the last one; -1: there is none.
   long step() const { return step_; }

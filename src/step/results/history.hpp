@@ -24,8 +24,8 @@ struct HistoryScene {
 
 class History {
  public:
-  /// Without a directory the rows are made and not written. Else creates history.csv and columns.json in the directory,
-  /// or continues with the history.csv of an earlier run behind its first `bytes`: rank 0 writes. Collective. Throws
+  /// Makes rows, without a directory only in memory. Else creates history.csv and columns.json in the directory, or
+  /// continues with the history.csv of an earlier run behind its first `bytes`: rank 0 writes. Collective. Throws
   /// SystemError, InputError, the same on all ranks.
   History(const std::string& directory, const HistoryScene& scene, std::optional<std::int64_t> bytes = std::nullopt);
 

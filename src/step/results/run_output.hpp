@@ -29,11 +29,11 @@ class RunOutput {
   /// Makes new files. Throws SystemError, InputError, the same on all ranks, as everything below.
   void create();
 
-  /// After archive() has loaded: looks whether the files of the run that wrote the checkpoint are there, and changes
+  /// Checks, after archive() has loaded, whether the files of the run that wrote the checkpoint are there, and changes
   /// nothing.
   void check_earlier() const;
 
-  /// After archive() has loaded: what go_on() would remove for good, if the checkpoint is of `from` and the run ends at
+  /// What go_on() would remove after archive() has loaded, for good, if the checkpoint is of `from` and the run ends at
   /// `end` (of its step the largest number). By rank 0 alone; changes nothing.
   CutStates find_cut_states(const SavedState& from, const SavedState& end) const;
 
@@ -56,7 +56,7 @@ class RunOutput {
   void write_due_frames(const State& state);
   /// Keeps frames of a state in memory, where the deck requests it and they are due.
   void keep_frames(const State& state);
-  /// Before that of a failed state: the frames kept that are not in the file.
+  /// Writes kept frames that are not in the file, before that of a failed state.
   void write_kept_frames(const State& failed);
   /// How many there would be besides, had the run not begun at a checkpoint of step `start`: call before.
   int count_lost_frames(const State& failed, std::int64_t start) const;

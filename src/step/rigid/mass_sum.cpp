@@ -26,7 +26,7 @@ struct ShapeMoments {
     second = second + weight * find_dyad(x);
   }
 
-  /// With this mass, from a point on.
+  /// The sum scaled to this mass. from: the point that its places are relative to.
   MassSum scale_to(double mass, const Vector3<double>& from) const {
     const double density = mass / volume;
     const Vector3<double> center = (1 / volume) * first;

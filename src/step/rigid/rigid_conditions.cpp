@@ -112,7 +112,8 @@ struct RigidVelocity {
   bool is_known = false;
 };
 
-/// From the velocities of nodes, by their momentum. may_be_line: nodes on a line do not spin about it. Collective.
+/// Motion of a body from the velocities of nodes, by their momentum. may_be_line: nodes on a line do not spin about it.
+/// Collective.
 template <class Velocities>
 RigidVelocity find_velocity(const ChunkedMesh& chunked, const Model& model, const std::vector<int>& nodes,
                             const std::vector<double>& mass, const Velocities& v, bool may_be_line) {

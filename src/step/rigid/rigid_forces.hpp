@@ -29,7 +29,7 @@ class RigidForces {
   /// Collective.
   std::vector<Wrench> operator()(const Model& model, const State& state) { return (*this)(model, state, state.time); }
 
-  /// With loads on points of bodies at another time.
+  /// Forces with loads on points of bodies at another time.
   std::vector<Wrench> operator()(const Model& model, const State& state, double time);
 
  private:

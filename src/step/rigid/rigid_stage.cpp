@@ -29,7 +29,7 @@ double find_kinetic_energy(const Model& model, const std::vector<RigidState>& bo
   return energy;
 }
 
-/// In all directions.
+/// Whether the body is held in all directions.
 bool is_held(const RigidBody& body, const RigidState& state) {
   bool held = true;
   for (std::size_t k = 0; k < 6; ++k) held = held && holds(body, state, k);
@@ -131,7 +131,7 @@ std::vector<RigidState> RigidStage::find_bodies_before(const State& state) const
   return before;
 }
 
-/// By the velocities of before_ and next_, in directions that are not held.
+/// Impulse of damping by the velocities of before_ and next_, in directions that are not held.
 Wrench RigidStage::find_damping_impulse(const State& state, std::size_t index) const {
   const RigidBody& body = model_.rigid.bodies[index];
   const RigidState &now = state.bodies[index], &before = before_[index], &next = next_[index];
@@ -170,7 +170,7 @@ void RigidStage::change_velocities(State& state, const StepTimes& times) {
   place_bodies(state, times.dt);
 }
 
-/// By the momenta of next_, which nothing has joined yet; their velocities go to the nodes.
+/// Places bodies by the momenta of next_, to which nothing is added yet; their velocities go to the nodes.
 void RigidStage::place_bodies(State& state, double dt) {
   const auto responses = Kokkos::create_mirror_view(responses_);
   for (std::size_t b = 0; b < next_.size(); ++b)

@@ -49,7 +49,7 @@ class RigidStage : public Action {
   /// Joints are not among what holds them. The same on all ranks.
   const std::vector<Wrench>& reactions() const { return reactions_; }
 
-  /// In a scene in which nothing deforms: no node goes far beyond its element's edge, no body turns much.
+  /// Step bound of a scene in which nothing deforms: no node goes far beyond its element's edge, no body turns much.
   double largest_step(const State& state) const override;
 
   void set_switches(State& state) override;

@@ -27,7 +27,7 @@ class BodyForceFinder {
  public:
   explicit BodyForceFinder(const Model& model) : model_(model), joints_(model) {}
 
-  /// By body, the same on all ranks. Collective.
+  /// Forces by body, the same on all ranks. Collective.
   std::vector<BodyForces> operator()(const State& state);
 
  private:

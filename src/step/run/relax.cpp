@@ -16,8 +16,8 @@ constexpr long steps_between_stops = 50, steps_between_lines = 5000;
 
 }  // namespace
 
-/// From the mesh at rest to the state at time 0, if the deck requests it. A stop ends the program as one before the
-/// first step does.
+/// Computes the state at time 0 from the mesh at rest, if the deck requests it. A stop ends the program as one before
+/// the first step does.
 void Run::relax() {
   if (!deck_.start.relaxation) return;
   Relaxation relaxation(deck_, chunked_, model_, contact_, state_);

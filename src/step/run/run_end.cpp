@@ -46,7 +46,7 @@ void Run::announce() {
   });
 }
 
-/// With that of the runs before the checkpoint of this one. Collective.
+/// Cost with that of the runs before the checkpoint of this one. Collective.
 EarlierSummary Run::find_cost_so_far() const {
   Summary now = summary_;
   now.loop_s = find_seconds(loop_start_);
@@ -104,7 +104,7 @@ EnergyScales Run::find_scales() const {
   return scales;
 }
 
-/// By the state audited last. Gases and springs may hold energy at the start.
+/// Judges the state audited last. Gases and springs may hold energy at the start.
 std::vector<Warning> Run::find_element_warnings() const {
   const bool starts_empty =
       deck_.springs.empty() && std::none_of(deck_.materials.begin(), deck_.materials.end(),
@@ -149,7 +149,7 @@ void Run::finish(const std::string& status, const std::string& error) {
   });
 }
 
-/// For a run that fails in a later step.
+/// Keeps a frame for a run that fails in a later step.
 void Run::keep_frame() {
   if (!deck_.output.keeps_frames()) return;
   const Phase phase("percuss::output", stepper_.clocks().output);

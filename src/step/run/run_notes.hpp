@@ -45,7 +45,8 @@ struct EnergyScales {
 /// Energy of a velocity that moves the scene in a step by no more than what contact takes for round-off.
 double find_resolved_energy(const ChunkedMesh& chunked, const Model& model, double dt);
 
-/// From where on hourglass modes are reported: a tenth of what a part stores besides, and energy that is not round-off.
+/// Limits above which hourglass modes are reported: a tenth of what a part stores besides, and energy that is not
+/// round-off.
 HourglassLimits find_hourglass_limits(const EnergyScales& scales);
 
 /// Energy that contact has given by its own books: by its pushes or by friction, whichever is more. work, friction: of

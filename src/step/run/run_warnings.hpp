@@ -23,7 +23,7 @@ class RunWarnings {
   RunWarnings(const RunWarnings&) = delete;
   RunWarnings& operator=(const RunWarnings&) = delete;
 
-  /// From here on a warning takes the place of an open live line. progress outlives this.
+  /// Lets a warning take the place of an open live line from now on. progress outlives this.
   void print_over(Progress& progress) { progress_ = &progress; }
 
   void add(const std::vector<Warning>& warnings) { log_.add(warnings); }

@@ -286,7 +286,7 @@ std::map<std::int64_t, int> add_patches(const Neighbourhoods& around, WeldModel&
   return patch_of_node;
 }
 
-/// From numbers to places.
+/// Replaces numbers by places.
 void finish_welds(std::vector<DraftWeld>& drafts, const Neighbourhoods& around, WeldModel& model) {
   const std::map<std::int64_t, int> patch_of_node = add_patches(around, model);
   for (DraftWeld& draft : drafts) {

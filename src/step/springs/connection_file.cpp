@@ -29,7 +29,7 @@ std::string_view skip_byte_order_mark(std::string_view text) {
   return text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size()) : text;
 }
 
-/// Without blanks and ends of lines at both ends.
+/// The text without blanks and ends of lines at both ends.
 std::string_view trim_lines(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n";
   const std::size_t first = text.find_first_not_of(blanks);

@@ -17,7 +17,7 @@ inline double bound_mobility(const RigidBody& body, const RigidState& state, con
   return (is_fixed ? 0 : 1 / body.mass) + dot(arm, arm) * trace(find_free_inverse(body, state));
 }
 
-/// By node: the largest inverse mass in a direction, or the mobility of its rigid body there. body_of_node: of
+/// Mobility by node: the largest inverse mass in a direction, or the mobility of its rigid body there. body_of_node: of
 /// share_bodies().
 template <class Row>
 std::vector<double> find_mobilities(const Model& model, const State& state, const std::vector<int>& body_of_node,

@@ -18,7 +18,7 @@ class SpringStage : public Action {
   /// Collective over the model's ranks. The model outlives this.
   explicit SpringStage(const Model& model);
 
-  /// At time 0 also the energy that is stored then.
+  /// Computes the forces; at time 0 also the energy that is stored then.
   void advance(State& state, double dt) override;
   void drop_vanished(State& state) override;
   bool comes_between() const override { return false; }

@@ -7,7 +7,7 @@
 namespace percuss {
 namespace {
 
-/// Over the mean of the second moments cubed: below this the nodes lie on a line.
+/// Least determinant over the mean of the second moments cubed: below it the nodes lie on a line.
 constexpr double least_determinant = 1e-6;
 
 Vector3<double> unit_along(int k) { return {k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0}; }

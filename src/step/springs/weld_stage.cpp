@@ -124,7 +124,7 @@ void WeldStage::warn_of_unsettled(double time) {
        law.place, time, 1});
 }
 
-/// At n+1. That of regions turns with the first.
+/// Normal at n+1. That of regions rotates with the first.
 Vector3<double> WeldStage::find_new_normal(const Weld& weld, const Vector3<double>& normal, double dt) const {
   if (weld.has_regions()) return turn_normal(normal, patches_[at(weld.patch[0])].find_end(nodes_).spin, dt);
   const WeldNode &a = nodes_[at(weld.end[0])], &b = nodes_[at(weld.end[1])];

@@ -61,8 +61,8 @@ void GlobalStep::renew(const State& state, double element_bound) {
   ++count_;
 }
 
-/// From the eigenvalue a of A(h) at the trial step h: where the step must be shorter than h, damping shrinks only
-/// with its first power.
+/// Stable step from the eigenvalue a of A(h) at the trial step h: where the step must be shorter than h, damping
+/// shrinks only with its first power.
 double GlobalStep::estimate(const State& state, double trial) {
   const double a = eigenvalue_.find(state, trial);
   return a < 1 ? trial / std::sqrt(a) : trial / a;
@@ -79,7 +79,7 @@ void GlobalStep::archive(CheckpointArchive& archive) {
   archive_reference(archive);
 }
 
-/// By element, without the packs, whose width depends on the machine.
+/// Archives by element, without the packs, whose width depends on the machine.
 void GlobalStep::archive_reference(CheckpointArchive& archive) {
   const HostChunks chunks(model_.chunks);
   const auto reference = to_host(watch_.reference);

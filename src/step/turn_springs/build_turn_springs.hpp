@@ -5,7 +5,7 @@
 
 namespace percuss {
 
-/// After the rigid bodies.
+/// Builds turn springs; call after the rigid bodies.
 void build_turn_springs(const Deck& deck, Model& model);
 
 }  // namespace percuss

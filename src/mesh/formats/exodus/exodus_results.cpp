@@ -43,7 +43,7 @@ std::vector<double> ExodusFile::read_times() const {
   return times;
 }
 
-/// From 1.
+/// Number of the time step, from 1.
 int ExodusFile::find_time_step(const ResultsWish& wish) const {
   const std::vector<double> times = read_times();
   const std::size_t count = times.size();

@@ -22,7 +22,7 @@ std::string find_first_word(std::string_view line) {
 
 bool continues(std::string_view mark) { return mark.empty() || mark.front() == '+' || mark.front() == '*'; }
 
-/// Without the sign that all marks begin with.
+/// The mark without the sign that all marks begin with.
 std::string_view strip_sign(std::string_view mark) {
   while (mark.starts_with('+') || mark.starts_with('*')) mark.remove_prefix(1);
   return strip_blanks(mark);

@@ -18,7 +18,7 @@ class NastranNames {
   /// property without its id.
   void take_entry(std::int64_t property);
 
-  /// By the ids of properties.
+  /// Names by the ids of properties.
   std::map<std::int64_t, std::string> list_properties() const;
   /// Empty: none.
   std::string find_set(std::int64_t id) const;

@@ -29,7 +29,7 @@ class ByteStream {
  public:
   ByteStream(std::string_view encoded, bool is_base64) : encoded_(encoded), is_base64_(is_base64) {}
 
-  /// At most as many as are left: more bytes than these cannot come.
+  /// Bound of the bytes that are left.
   std::size_t most_left() const { return rest_.size() + (is_base64_ ? encoded_.size() / 4 * 3 + 3 : encoded_.size()); }
 
   std::string take(std::size_t count) {

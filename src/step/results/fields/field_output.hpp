@@ -27,15 +27,15 @@ class FieldOutput {
 
   bool is_due(double time) const { return frames_due_.is_due(time); }
   void advance(double time) { frames_due_.advance(time); }
-  /// After archive() has loaded: whether less is due than in the run before.
+  /// Whether, after archive() has loaded, less is due than in the run before.
   bool is_thinned() const { return frames_due_.is_thinned(); }
 
   /// Makes new files. Throws SystemError, InputError, the same on all ranks, as everything below.
   void create();
-  /// After archive() has loaded: looks whether the files of the run that wrote the checkpoint are there, and changes
+  /// Checks, after archive() has loaded, whether the files of the run that wrote the checkpoint are there, and changes
   /// nothing.
   void check_earlier() const;
-  /// After archive() has loaded: the frames behind the checkpoint. By rank 0 alone; changes nothing.
+  /// The frames behind the checkpoint, after archive() has loaded. By rank 0 alone; changes nothing.
   CutFrames find_later() const;
   /// Goes on with them. What the run did not write before begins here.
   void go_on();
@@ -44,7 +44,7 @@ class FieldOutput {
   bool write(const State& state);
   /// Keeps the frame of a state in memory, where the deck requests it and it is due.
   void keep(const State& state);
-  /// Before that of a failed state: the frames kept that are not in the file.
+  /// Writes kept frames that are not in the file, before that of a failed state.
   void write_kept(const State& failed);
 
   /// Frames that would have been written by that, had the run not begun at a checkpoint of step `start`: call before.

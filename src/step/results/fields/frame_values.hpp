@@ -13,7 +13,7 @@
 
 namespace percuss {
 
-/// From what the fields of a frame are made.
+/// Data from which the fields of a frame are made.
 struct FrameSource {
   const Model& model;
   const State& state;

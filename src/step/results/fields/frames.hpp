@@ -37,7 +37,7 @@ class Frames {
   void close();
   /// Whether the files still have their names: not if somebody removed or replaced one.
   bool is_in_place() const;
-  /// In the file.
+  /// Number of frames in the file.
   std::int64_t count() const { return count_; }
 
  private:

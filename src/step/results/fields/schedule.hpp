@@ -18,7 +18,7 @@ class Schedule {
     if (period_ && *period_ > 0) next_ = *period_ * (std::floor(time / *period_ * (1 + 1e-12)) + 1);
   }
   bool is_set() const { return period_.has_value(); }
-  /// After archive() has loaded: whether less is due than in the run before.
+  /// Whether, after archive() has loaded, less is due than in the run before.
   bool is_thinned() const { return is_thinned_; }
 
   /// Goes on with what another run of the same period has; `time` is where.
