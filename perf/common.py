@@ -70,7 +70,7 @@ def grind(summary):
 
 
 def grind_beside_others(summary):
-    """The same by processor time: other work on the machine takes none of it, but the start of the run counts."""
+    """Times by processor time: other work on the machine takes none of it, but the start of the run counts."""
     return 1e9 * summary["user_s"] / (summary["elements"] * summary["steps"])
 
 

@@ -16,7 +16,7 @@ ENVIRONMENT = {**os.environ, "OMP_NUM_THREADS": "1", "OMP_PROC_BIND": "false"}
 
 
 class Result:
-    """Of one run: exit code (None: stopped at the time limit), what it said, summary, history by column, seconds."""
+    """Outcome of one run: exit code (None: stopped at the time limit), what it said, summary, history by column, seconds."""
 
 
 def run_deck(percuss, deck, work, limit):

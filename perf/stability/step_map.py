@@ -169,7 +169,7 @@ def find_critical_steps(stiffness, damping, start):
 
 
 def find_spectral_radius(stiffness, damping, dt):
-    """Of the step of one shape: v' = v - dt (A x + B v), x' = x + dt v'."""
+    """Spectral radius of the step of one shape: v' = v - dt (A x + B v), x' = x + dt v'."""
     n = len(stiffness)
     one = np.eye(n)
     velocity = np.hstack([-dt * stiffness, one - dt * damping])

@@ -144,6 +144,6 @@ class Bench:
 
 
 def thin(x, y, most=400):
-    """At most so many points of a curve, for small figures."""
+    """At most `most` points of a curve, for small figures."""
     step = max(1, math.ceil(len(x) / most))
     return np.asarray(x)[::step], np.asarray(y)[::step]

@@ -99,7 +99,7 @@ def find_fault(content: Any, shape: Any, place: str = "") -> str:
 
 
 def restore_numbers(content: Any, shape: Any) -> Any:
-    """The same content with NaN where null stands for a number."""
+    """The content with NaN where null stands for a number."""
     if isinstance(shape, Optional):
         return restore_numbers(content, shape.shape)
     if shape == NUMBER:

@@ -89,7 +89,7 @@ def find_fault(model: Model, layer: Layer) -> str:
 
 
 def find_energy_fault(law: Deck) -> str:
-    """In which direction the energy of a law is less than what it has stored at its strength; empty: in none."""
+    """Direction in which the energy of a law is less than what it has stored at its strength; empty: in none."""
     for of in ("normal", "shear"):
         if law[f"{of}_energy"] <= 0.5 * law[f"{of}_strength"] ** 2 / law[f"{of}_stiffness"]:
             return of

@@ -24,7 +24,7 @@ KEYWORD_ENDINGS, ABAQUS_ENDINGS = (".k", ".key", ".dyn", ".k.txt"), (".inp",)
 
 
 def choose_reader(path: str) -> Callable[[Ledger], Model]:
-    """By the extension, then by the first keyword."""
+    """Chooses by the extension, then by the first keyword."""
     name = path.lower()
     if name.endswith(ABAQUS_ENDINGS):
         return lambda ledger: read_abaqus_deck(path, refuse_case(path, ledger))

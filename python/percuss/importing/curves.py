@@ -39,7 +39,7 @@ def order_points(points: Points, span: float = math.inf) -> Points:
 
 
 def widen_steps(rows: Points, span: float) -> Points:
-    """Of two rows at one place, the second a little later."""
+    """Moves the second of two rows at one place a little later."""
     widened = list(rows)
     for i in range(1, len(rows)):
         x = rows[i][0]
@@ -115,7 +115,7 @@ def differentiate(points: Points) -> Points:
 
 
 def thin_rows(points: Points, most: int = MOST_MATERIAL_ROWS) -> tuple[Points, float]:
-    """At most so many of the rows, and the largest error of the rest as a share of the largest value.
+    """At most `most` of the rows, and the largest error of the rest as a share of the largest value.
 
     The row whose absence changes the curve least is removed first (Visvalingam and Whyatt 1993).
     """

@@ -17,7 +17,7 @@ NOT_DAMPED = ("stiffness damping of elements other than hexahedra, shells and be
 
 @functools.cache
 def read_traits() -> dict[str, list[str]]:
-    """By the name of a law."""
+    """Traits by the name of a law."""
     with open(os.path.join(os.path.dirname(__file__), TRAITS), encoding="utf-8") as file:
         traits: dict[str, list[str]] = json.load(file)
     return traits

@@ -20,5 +20,5 @@ def list_silenced(model: Model) -> list[str]:
 
 
 def has_few_points(block: Block) -> bool:
-    """Of shells that bend; rigid ones have no stress."""
+    """Whether shells that bend have few points; rigid ones have no stress."""
     return not block.keys.get("rigid") and block.keys.get("points", LEAST_POINTS) < LEAST_POINTS

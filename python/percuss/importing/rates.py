@@ -38,7 +38,7 @@ def scale_curve(base: Points, factors: Points) -> Curves:
 
 
 def order_curves(place: Place, curves: Curves) -> Curves:
-    """By their rates."""
+    """Curves in the order of their rates."""
     curves = sorted(curves, key=lambda curve: curve[0])
     for (low, _), (high, _) in zip(curves, curves[1:]):
         if high == low:
@@ -70,7 +70,7 @@ def add_rates(ledger: Ledger, place: Place, law: Deck, curves: Curves, key: str,
 
 
 def thin_curves(curves: Curves, logarithmic: bool) -> tuple[Curves, float]:
-    """At most so many rates and rows as percuss takes, and the largest error as a share of the largest stress.
+    """At most as many rates and rows as percuss takes, and the largest error as a share of the largest stress.
 
     The rate between two others whose absence changes the stress least is removed first.
     """

@@ -27,7 +27,7 @@ MOST_POWER = 4  # of length, mass and time in the unit of a field
 
 
 class Scale:
-    """From one system of units to another."""
+    """Conversion from one system of units to another."""
 
     def __init__(self, old: Units, new: Units) -> None:
         self.old, self.new = old, new
@@ -37,7 +37,7 @@ class Scale:
 
     @cached_property
     def _units(self) -> dict[str, tuple[float, str]]:
-        """By the unit in the old system: the factor and the unit in the new one. Names of quantities come first."""
+        """Units by that in the old system: the factor and the unit in the new one. Names of quantities come first."""
         found: dict[str, tuple[float, str]] = {}
         for quantity in DIMENSIONS:
             if quantity not in ("-", "temperature"):
@@ -143,7 +143,7 @@ def _refuse(path: str) -> BadUnits:
 
 
 def convert_run(run: Run, system: str | None) -> Any:
-    """In a system of units such as 'mm, kg, ms'; the run itself where its deck has these, or none are wanted."""
+    """The run in a system of units such as 'mm, kg, ms'; the run itself where its deck has these, or none are wanted."""
     units = Units(system) if system else None
     if units is None or run.units and run.units.text == units.text:
         return run
@@ -151,7 +151,7 @@ def convert_run(run: Run, system: str | None) -> Any:
 
 
 def convert_fields(fields: Fields, system: str | None) -> Any:
-    """The same of fields alone."""
+    """As convert_run(), of fields alone."""
     old, new = find_units(fields.units), Units(system) if system else None
     if new is None or old and old.text == new.text:
         return fields

@@ -32,7 +32,7 @@ class Deck:
         return found
 
     def get_map(self, path: str) -> dict[str, Any]:
-        """The same where a map is expected: {} if there is none."""
+        """A value where a map is expected: {} if there is none."""
         found = self.get(path)
         return found if isinstance(found, dict) else {}
 

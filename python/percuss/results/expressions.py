@@ -132,7 +132,7 @@ def _multiply_two(node: ast.BinOp, left: float | None, right: float | None) -> f
 
 
 def _agree_on_factor(factors: list[float | None]) -> float | None:
-    """Of terms that are added."""
+    """Common factor of terms that are added."""
     known = [factor for factor in factors if factor]
     return (known[0] if known and len(known) == len(factors) and max(known) <= 5 * min(known)
             else None if factors else 1.0)
@@ -259,7 +259,7 @@ def _whole(power: float) -> float:
 
 
 def _keep(function: Callable[[Array], Any]) -> Callable[[_Reader, Value], Value]:
-    """Of a function whose result has the dimension of its argument."""
+    """A function whose result has the dimension of its argument."""
     return lambda reader, value: Value(function(reader.rows(value)), value.powers)
 
 
@@ -286,7 +286,7 @@ def _extreme(of_two: Callable[[Any, Any], Any], of_rows: Callable[[Array], Any])
 
 
 def _integral(reader: _Reader, value: Value, over: Value | None = None) -> Value:
-    """From the first row on, by the trapezoidal rule."""
+    """Integral from the first row on, by the trapezoidal rule."""
     over = over or reader.time
     y, x = reader.rows(value), reader.rows(over)
     steps = 0.5 * (y[1:] + y[:-1]) * np.diff(x)
@@ -294,7 +294,7 @@ def _integral(reader: _Reader, value: Value, over: Value | None = None) -> Value
 
 
 def _derivative(reader: _Reader, value: Value, over: Value | None = None) -> Value:
-    """By the slopes to both neighbours, of second order for rows at unequal distances."""
+    """Derivative by the slopes to both neighbours, of second order for rows at unequal distances."""
     over = over or reader.time
     y, x = reader.rows(value), reader.rows(over)
     if len(y) < 2:
@@ -329,7 +329,7 @@ def _resultant(reader: _Reader, name: str) -> Value:
 
 
 def _distance(reader: _Reader, one: str, other: str) -> Value:
-    """Of two history nodes."""
+    """Distance of two history nodes."""
     gaps = []
     for axis in "xyz":
         a, b = reader.column(f"{one}_{axis}"), reader.column(f"{other}_{axis}")

@@ -45,7 +45,7 @@ class History:
 
     @property
     def of_deck(self) -> History:
-        """The same history in the units of the deck: itself, or what in_units() has converted."""
+        """The history in the units of the deck: itself, or what in_units() has converted."""
         return self._deck or self
 
     @property
@@ -103,7 +103,7 @@ class History:
         return str(self._sidecar.get(name, {}).get("meaning") or name)
 
     def label(self, name: str) -> str:
-        """The same in few words, as it stands beside a curve."""
+        """The meaning in few words, as it stands beside a curve."""
         return self.meaning(name) if name in self.computed else self.meaning(name).partition(", ")[0]
 
     def has_given_unit(self, name: str) -> bool:
@@ -130,14 +130,14 @@ class History:
             self._sidecar[name]["dimension"] = " ".join(words) or "1"
 
     def copy(self) -> History:
-        """The same history, to add() to."""
+        """A copy of the history, to add() to."""
         copied = copy.copy(self)
         copied._columns, copied.computed = dict(self._columns), set(self.computed)
         copied._deck = self._deck and self._deck.copy()
         return copied
 
     def in_units(self, units: Units) -> History:
-        """The same history in another system of units. Columns whose dimension is not known stay as they are."""
+        """The history in another system of units. Columns whose dimension is not known stay as they are."""
         if self.units is None:
             raise ValueError("the deck has no `units`, so that its numbers cannot be turned into others")
         table = np.column_stack([self._convert(name, units) for name in self.names])

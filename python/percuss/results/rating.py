@@ -32,7 +32,7 @@ def rate(test_time: Array, test: Array, time: Array, values: Array) -> dict[str,
 
 
 def rate_signals(test: Array, values: Array, step: float) -> dict[str, float]:
-    """The same of two signals at the same times, `step` apart."""
+    """Rating of two signals at the same times, `step` apart."""
     size = np.abs(test).max()
     if not size > 0:
         raise ValueError("the test is zero throughout")
@@ -75,7 +75,7 @@ def _shift(test: Array, values: Array, steps: int) -> tuple[Array, Array]:
 
 
 def _find_warped_error(test: Array, values: Array) -> float:
-    """Of the two signals along the path that dynamic time warping finds with squared distances in a window."""
+    """Error of the two signals along the path that dynamic time warping finds with squared distances in a window."""
     count, window = len(test), max(1, int(np.ceil(WARP_WINDOW * len(test))))
     cost = np.full((count + 1, count + 1), np.inf)
     cost[0, 0] = 0

@@ -97,7 +97,7 @@ class Units:
         return self.size_of(_expect_powers(quantity))
 
     def size_of(self, powers: Powers) -> float:
-        """The same of powers of length, mass and time."""
+        """What one of a quantity with these powers of length, mass and time is in SI."""
         return float(math.prod(unit[1] ** power for unit, power in zip((self.length, self.mass, self.time), powers)))
 
     def name_of(self, quantity: str) -> str:
@@ -199,7 +199,7 @@ def choose_unit(unit: str, largest: float) -> tuple[str, float]:
 
 
 def choose_time_unit(unit: str, end: float) -> tuple[str, float]:
-    """The same of times that go up to `end`: ('ms', 1e3) of 's' and 0.005."""
+    """Unit of times that go up to `end`: ('ms', 1e3) of 's' and 0.005."""
     if unit != "s" or not end > 0:
         return unit, 1.0
     size, prefix = _choose_prefix(min(end, 1))  # no kiloseconds

@@ -102,7 +102,7 @@ def refuse_free(deck: AbaqusDeck, card: BodyCard) -> None:
 
 
 def merge(found: list[Members]) -> list[list[Members]]:
-    """Those that share nodes are one body."""
+    """Merges members that share nodes into one body."""
     groups: list[tuple[set[int], list[Members]]] = []
     for members in found:
         nodes, together = set(members.nodes), [members]
@@ -201,7 +201,7 @@ def finish_bodies(deck: AbaqusDeck) -> None:
 
 
 def hold_group(deck: AbaqusDeck, group: RigidGroup, number: int) -> None:
-    """At rest as a whole, a joint to the ground, or motions of the body."""
+    """Holds a body: at rest as a whole, a joint to the ground, or motions of the body."""
     rest = {d for d, (_, motion) in group.held.items() if motion is None}
     moved = {d: motion for d, (_, motion) in group.held.items() if motion is not None}
     directions = group.held.keys() | group.spells.keys()

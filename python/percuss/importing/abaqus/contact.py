@@ -104,7 +104,7 @@ def find_acting(deck: AbaqusDeck, a: str, b: str) -> Deck | None:
 
 
 def end_pair(deck: AbaqusDeck, pair: Deck, time: float) -> None:
-    """With the step before; one that no step has is gone."""
+    """Ends a pair with the step before; a pair that no step has is removed."""
     if time > 0 and pair.get("from") != deck.sensor_at(time):
         pair["until"] = deck.sensor_at(time)
     else:

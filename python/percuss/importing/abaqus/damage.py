@@ -204,7 +204,7 @@ def read_curve(deck: AbaqusDeck, block: Block, sign: float) -> tuple[Points, Dec
 
 
 def find_factor(first: Points, other: Points) -> float | None:
-    """By what the strains of one rate differ from those of the first; None: not by one factor."""
+    """Factor between the strains of one rate and those of the first; None: not by one factor."""
     factors = [interpolate(other, x) / interpolate(first, x) for x, _ in [*first, *other]]
     return sum(factors) / len(factors) if max(factors) - min(factors) <= ALIKE * max(factors) else None
 

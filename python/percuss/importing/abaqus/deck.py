@@ -273,7 +273,7 @@ class AbaqusDeck:
         return name
 
     def friction(self, name: str, place: Place) -> float:
-        """Of *SURFACE INTERACTION."""
+        """Coefficient of friction of a *SURFACE INTERACTION."""
         if name.upper() not in self.frictions:
             raise BadInput(place, missing(f"*SURFACE INTERACTION '{clip(name)}'"))
         self.used_interactions.add(name.upper())

@@ -16,7 +16,7 @@ CHANGES = "it is that of the whole run"
 
 
 def refuse_change(deck: AbaqusDeck, block: Block, what: str) -> None:
-    """Of what percuss has for the whole run alone."""
+    """Refuses changes of what percuss has for the whole run alone."""
     deck.ledger.refuse(f"{block.keyword}.step", block.place, f"{what} that changes with a step", CHANGES)
 
 
@@ -101,7 +101,7 @@ def read_property(deck: AbaqusDeck, block: Block) -> None:
 
 
 def change_friction(deck: AbaqusDeck, block: Block, friction: float) -> None:
-    """That of everything, from the step of the block on."""
+    """Changes the friction of everything, from the step of the block on."""
     start, general = deck.step_of(block).start, find_open(deck)
     if (start > 0 and friction != deck.whole_friction
             and any("friction" not in pair and pair.get("from") != deck.sensor_at(start) for pair in deck.pairs)):
@@ -116,7 +116,7 @@ def change_friction(deck: AbaqusDeck, block: Block, friction: float) -> None:
 
 
 def assign_friction(deck: AbaqusDeck, block: Block, names: tuple[str, str], place: Place, friction: float) -> None:
-    """That of two surfaces, or of everything with one. The last that names both counts in Abaqus, the first here."""
+    """Assigns the friction of two surfaces, or of everything with one. The last that names both counts in Abaqus, the first here."""
     if not names[1]:  # of the first one with itself
         names = (names[0], names[0])
     if any(is_profile(deck, name) for name in names if name):

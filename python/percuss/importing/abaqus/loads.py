@@ -264,7 +264,7 @@ def read_body_force(deck: AbaqusDeck, block: Block, line: Line, direction: int) 
 
 
 def read_direction(deck: AbaqusDeck, block: Block, line: Line) -> list[float]:
-    """Of a traction, which percuss lets act on the area at the start."""
+    """Direction of a traction, which percuss lets act on the area at the start."""
     direction = [block.number(line, i) for i in (3, 4, 5)]
     if not any(direction):
         raise BadInput(block.at(line[0]), "the direction of the traction is zero: correct it")
@@ -303,7 +303,7 @@ def read_surface_load(deck: AbaqusDeck, block: Block, line: Line, label: str) ->
 
 
 def read_edge_load(deck: AbaqusDeck, block: Block, line: Line, areas: dict[int, float]) -> None:
-    """On edges of plane elements, with the area at each node."""
+    """Reads a load on edges of plane elements, with the area at each node."""
     label, place = block.text(line, 1).upper(), block.at(line[0])
     if label != "TRVEC":
         deck.ledger.refuse("DSLOAD.plane", place,

@@ -12,7 +12,7 @@ EVERY = 10  # steps between two checks, where the deck does not say
 
 
 def read_mass_scaling(deck: AbaqusDeck, block: Block) -> None:
-    """Of a set of elements or of all: of whole parts."""
+    """Mass scaling of a set of elements or of all: it becomes that of whole parts."""
     line = (block.place.line, [block.options.get(name, "") for name in ("FACTOR", "DT")])
     factor, step = block.number(line, 0), block.number(line, 1)
     if min(factor, step) < 0 or factor == step == 0:

@@ -76,7 +76,7 @@ def find_orientation(deck: AbaqusDeck, name: str, section: Section, of_shells: b
 
 
 def list_shells(deck: AbaqusDeck, section: Section) -> list[tuple[int, tuple[int, ...]]]:
-    """Those of a section."""
+    """Shells of a section."""
     elements = deck.mesh.elements
     ids = [id for id in deck.elements_of(section.elements, section.place) if id in elements]
     shells = [(id, elements[id][1]) for id in ids if elements[id][0] in SHELLS and elements[id][0] not in RIGID]

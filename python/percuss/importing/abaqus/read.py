@@ -277,7 +277,7 @@ class Reader:
         self.deck.interactions[self.interaction].append(block)
 
     def glue(self, block: Block) -> None:
-        """Of the surface interaction before it."""
+        """Glue of the surface interaction before it."""
         if self.interaction:
             self.deck.glues.setdefault(self.interaction.upper(), []).append(block)
             self.deck.interactions[self.interaction].append(block)

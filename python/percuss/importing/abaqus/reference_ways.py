@@ -10,12 +10,12 @@ AXES = ("x", "y", "z")
 
 
 def read_value(value: "float | Deck", time: float) -> float:
-    """Of a number or a table of the deck."""
+    """Value of a number or a table of the deck at a time."""
     return interpolate([(t, y) for t, y in value["table"]], time) if isinstance(value, dict) else value
 
 
 def find_displacement(motion: Deck, way: str, time: float, before: float, step: float) -> float:
-    """Of the reference node at a time; velocities go on from the displacement one step before."""
+    """Displacement of the reference node at a time; velocities continue from the displacement one step before."""
     if way in motion.get("displacement", {}):
         return read_value(motion["displacement"][way], time)
     return before + step * read_value(motion["velocity"][way], time - 0.5 * step)

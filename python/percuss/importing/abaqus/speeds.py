@@ -12,7 +12,7 @@ Speed = float | None  # None: not known
 
 
 class Speeds:
-    """Of nodes and reference nodes in directions, at the start of a step."""
+    """Speeds of nodes and reference nodes in directions, at the start of a step."""
 
     def __init__(self, deck: AbaqusDeck, start: float):
         self._deck, self._start = deck, start
@@ -33,7 +33,7 @@ class Speeds:
         return self._find_node(node, index)
 
     def _find_node(self, node: int, index: int) -> Speed:
-        """By the initial conditions of nodes alone; of several rotating velocities the last one counts."""
+        """Speed by the initial conditions of nodes alone; of several rotating velocities the last one counts."""
         rotation = next((row for row in reversed(self._deck.rotations) if node in row.nodes), None)
         if rotation is None:
             return self._deck.velocities.get(node, [0.0] * 3)[index] if index < 3 else 0.0
@@ -43,7 +43,7 @@ class Speeds:
                 + cross(rotation.spin, subtract(self._deck.mesh.nodes[node], rotation.center))[index])
 
     def _find_group(self, group: RigidGroup) -> list[Speed]:
-        """Of a body: that of its reference node counts before those of its nodes, which must agree."""
+        """Speed of a body: that of its reference node counts before those of its nodes, which must agree."""
         key = id(group)
         if key not in self._of_groups:
             of_refs = [self._deck.body_velocities[node] for node in group.refs if node in self._deck.body_velocities]

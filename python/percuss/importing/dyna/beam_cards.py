@@ -270,7 +270,7 @@ def divide_beams(deck: KeywordDeck, part: PartCard, beams: list[BeamElement], na
 
 
 def find_direction(deck: KeywordDeck, part: PartCard, beam: BeamElement) -> tuple[float, ...]:
-    """From the first node to N3, across the beam, to six digits."""
+    """Direction from the first node to N3, across the beam, to six digits."""
     for node in beam.ends if beam.toward else (*beam.ends, beam.third):
         if node not in deck.nodes:
             raise BadInput(part.place, missing(f"node {node}, of beam {beam.id} (N3 says how its section is turned)"))

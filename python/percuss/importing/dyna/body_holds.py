@@ -102,7 +102,7 @@ class BodyHolds:
         return True
 
     def add_conditions(self, fixed: list[str]) -> None:
-        """Of the directions that are held: rest, or their motion, which counts more than rest."""
+        """Adds conditions of the directions that are held: rest, or their motion, which counts more than rest."""
         ledger, already = self.deck.ledger, set(self.deck.held_of_body.get(self.body, []))
         moving = [hold for hold in self.holds if hold.motion]
         moved = {hold.direction for hold in moving}

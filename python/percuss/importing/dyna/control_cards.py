@@ -148,13 +148,13 @@ def find_wave_stiffness(block: Block, law: Deck) -> float | None:
 
 
 def find_length(x: list[Vector]) -> float:
-    """Of a solid."""
+    """Characteristic length of a solid."""
     areas = [shell_area([x[i] for i in face]) for face in FACES[len(x)]] if len(x) in FACES else []
     return solid_volume(x) / max(areas) if areas else 0.0
 
 
 def find_width(x: list[Vector]) -> float:
-    """Of a shell."""
+    """Characteristic length of a shell."""
     edges = [subtract(a, b) for a, b in zip(x, x[1:] + x[:1])]
     return float(shell_area(x) / max(dot(edge, edge) ** 0.5 for edge in edges))
 

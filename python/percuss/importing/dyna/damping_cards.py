@@ -31,7 +31,7 @@ def read_damping(deck: KeywordDeck, card: Card) -> None:
 
 
 def read_factors(deck: KeywordDeck, row: Row) -> float | None:
-    """By direction; none at all means 1 for each. None: refused."""
+    """Factors by direction; none at all means 1 for each. None: refused."""
     values = row.numbers(*FACTORS)
     moves, turns = values[:3], values[3:]
     if not any(values):

@@ -186,7 +186,7 @@ class Box:
 
 
 def pick(ids: list[int], ranges: list[tuple[int, int]]) -> list[int]:
-    """Those of ascending ids that lie in any of the ranges, each once."""
+    """The ascending ids that lie in any of the ranges, each once."""
     picked: list[int] = []
     reached = 0
     for first, last in sorted(ranges):

@@ -133,11 +133,11 @@ def find_card(keyword: str) -> str | None:
 
 
 def scale(kind: str, factors: Factors) -> float:
-    """By what a number of a dimension is multiplied."""
+    """Factor on a number of a dimension."""
     return math.prod(factor**power for factor, power in zip(factors, POWERS[kind]))
 
 
 def find_factor(keyword: str, field: str, factors: Factors) -> float:
-    """Of a field of a card."""
+    """Factor on a field of a card."""
     card = find_card(keyword)
     return scale(DIMENSIONS[card].get(field, "none"), factors) if card else 1.0

@@ -69,7 +69,7 @@ def refuse_times(deck: KeywordDeck, card: Card, row: Row) -> None:
 
 
 def list_blocks(deck: KeywordDeck, id: int, kind: int, place: Place) -> list[Block] | None:
-    """Of a set of parts or a part; None: of something else."""
+    """Blocks of a set of parts or a part; None: of something else."""
     if kind not in (0, 1):
         return None
     if kind == 1:

@@ -57,7 +57,7 @@ def find_fixed(deck: KeywordDeck, body: str) -> set[str]:
 
 
 def list_blocks(deck: KeywordDeck, body: str) -> list[Block]:
-    """Of a body of rigid parts, of which the first gives its name; none of a body of nodes."""
+    """Blocks of a body of rigid parts, of which the first gives its name; none of a body of nodes."""
     found = [block for block in deck.model.blocks if block.name == body and block.keys.get("rigid")]
     others = [block for block in deck.model.blocks
               if isinstance(block.keys.get("rigid"), dict) and block.keys["rigid"].get("body") == body]
@@ -65,7 +65,7 @@ def list_blocks(deck: KeywordDeck, body: str) -> list[Block]:
 
 
 def find_center(deck: KeywordDeck, blocks: list[Block]) -> Vector | None:
-    """Of the elements."""
+    """Mass centre of the elements."""
     measures = [measure_block(deck.model, block) for block in blocks]
     mass = sum(own for own, _ in measures)
     return (sum(m[0] for _, m in measures) / mass, sum(m[1] for _, m in measures) / mass,

@@ -129,7 +129,7 @@ class Target:
 
 
 def apply_node_load(deck: KeywordDeck, card: Card, on: Target, load: Deck) -> None:
-    """On each node; a moment on a node of a rigid body, and a force on one without elements, act on the body."""
+    """Applies a load to each node; a moment on a node of a rigid body, and a force on one without elements, act on the body."""
     found = sort_nodes(deck, list_card_nodes(deck, on.id, on.is_set, on.place), on.place)
     refuse_lost(deck, card.keyword, found.lost, on.place, "a load")
     nodes, used = list(found.free), deck.used_nodes()
@@ -201,7 +201,7 @@ def read_segment_load(deck: KeywordDeck, card: Card) -> None:
 
 
 def list_shells(deck: KeywordDeck) -> dict[int, Face]:
-    """Those of the mesh, and skins of *MAT_NULL, under which are faces of solids."""
+    """Shells of the mesh, and skins of *MAT_NULL, under which are faces of solids."""
     skins = {shell.id: shell.corners for part in deck.skins for shell in deck.elements[part].shells}
     return skins | {id: corners for block in deck.model.blocks for id, corners in block.shells}
 

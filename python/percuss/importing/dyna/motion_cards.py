@@ -44,7 +44,7 @@ def list_values(deck: KeywordDeck, row: Row, curve: Curve, start: float | None) 
 
 
 def name_dimension(kind: int, turns: bool) -> str:
-    """Of a curve of VAD kind."""
+    """Dimension of a curve of VAD kind."""
     names = {VELOCITY: ("speed", "rate"), ACCELERATION: ("acceleration", "angular_acceleration")}
     return names.get(kind, ("length", "none"))[turns]
 
@@ -82,7 +82,7 @@ def make_motion(deck: KeywordDeck, row: Row, direction: str, sign: float, start:
 
 
 def hold_ends(points: Points, end: float) -> Points:
-    """The same values before and behind the points."""
+    """The points with their end values held before and behind them."""
     first, last = points[0], points[-1]
     return [*([(0.0, first[1])] if first[0] > 0 else []), *points, *([(end, last[1])] if last[0] < end else [])]
 

@@ -210,7 +210,7 @@ def cut_solid(corners: list[Vector], plane: Plane) -> list[Vector]:
 
 
 def hull_area(points: list[Vector], normal: Vector) -> float:
-    """Of points in a plane (Andrew's monotone chain)."""
+    """Area of the hull of points in a plane (Andrew's monotone chain)."""
     axis = min(range(3), key=lambda k: abs(normal[k]))
     u = normalise(cross(normal, tuple(1.0 if k == axis else 0.0 for k in range(3))))  # type: ignore[arg-type]
     v = cross(normal, u)

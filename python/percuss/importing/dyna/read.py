@@ -292,7 +292,7 @@ def read_keyword_deck(path: str, ledger: Ledger) -> Model:
 
 
 def find_misspelt(deck: KeywordDeck, *keywords: str) -> str:
-    """Of a keyword that is missing: the unknown one that may be meant."""
+    """The unknown keyword that may be meant by one that is missing."""
     return next((text for keyword in keywords if (text := suggest_place(keyword, deck.unknown))), "")
 
 

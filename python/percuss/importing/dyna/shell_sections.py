@@ -33,7 +33,7 @@ class ShellSection:
     place: Place | None = None  # of the line with the thicknesses
 
     def make_keys(self) -> Deck:
-        """Of the part, but for its offset."""
+        """Keys of the part, but for its offset."""
         if self.is_membrane:
             return {"integration": "membrane"}
         return {} if self.layers else {"points": self.points}

@@ -51,7 +51,7 @@ def by_direction(start: Start | None) -> dict[str, float] | None:
 
 
 def find_node_start(deck: KeywordDeck, node: int) -> dict[str, float] | None:
-    """By direction, as conditions name them."""
+    """Initial velocity by direction, as conditions name them."""
     return by_direction(find_start(deck, node))
 
 
@@ -64,7 +64,7 @@ def list_own_nodes(deck: KeywordDeck, body: str) -> list[int]:
 
 
 def find_body_start(deck: KeywordDeck, body: str) -> dict[str, float] | None:
-    """Of its mass centre; None where it turns, so that the velocity of the centre is not known here."""
+    """Initial velocity of its mass centre; None where it turns, so that the velocity of the centre is not known here."""
     for entry in reversed(deck.model.deck.get("initial", [])):
         if entry.get("body") == body:
             return by_direction(read_start(entry))
@@ -145,7 +145,7 @@ def find_mean_motion(points: list[tuple[float, Vector, Vector]]) -> Deck | None:
 
 
 def solve(a: list[list[float]], b: list[float]) -> Vector | None:
-    """Of three equations; None without a solution."""
+    """Solution of three equations; None without a solution."""
     rows = [[*a[i], b[i]] for i in range(3)]
     size = max(abs(value) for row in a for value in row) or 1.0
     for k in range(3):

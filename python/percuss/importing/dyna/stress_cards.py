@@ -128,7 +128,7 @@ def add_shell(deck: KeywordDeck, id: int, points: Points, block: Block) -> None:
 
 
 def merge_levels(points: Points) -> Points:
-    """From bottom to top; points of one place across are one."""
+    """Points from bottom to top; points of one place across are one."""
     levels: list[tuple[float, list[Values]]] = []
     for place, values in sorted(points, key=lambda point: point[0]):
         if not levels or place - levels[-1][0] > SAME_POINT:

@@ -36,12 +36,12 @@ def find_times(deck: KeywordDeck, contact: Contact) -> Deck:
 
 
 def find_option(contact: Contact) -> int:
-    """Of a tie that breaks, by its own card; 0: of another tie."""
+    """OPTION of a tie that breaks, by its own card; 0: of another tie."""
     return contact.failure.integer("OPTION") if contact.failure and "AUTOMATIC" in contact.keyword else 0
 
 
 def find_strengths(contact: Contact) -> Deck:
-    """Of a tie that breaks where (tension / NFLS)^2 + (shear stress / SFLS)^2 reaches 1; empty: of no such tie."""
+    """Strengths of a tie that breaks where (tension / NFLS)^2 + (shear stress / SFLS)^2 reaches 1; empty: of no such tie."""
     row = contact.failure
     if row is None or ("AUTOMATIC" in contact.keyword and find_option(contact) not in (2, 3)):
         return {}

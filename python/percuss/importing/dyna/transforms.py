@@ -85,7 +85,7 @@ class FileChange:
         return self.offsets.get(kind, 0) if kind else 0
 
     def factor_of(self, card: str, name: str) -> float:
-        """By what the number of a field is multiplied."""
+        """Factor on the number of a field."""
         return find_factor(card, name, self.factors) if self.factors != SAME_UNITS else 1.0
 
     def move(self, x: Vector) -> Vector:
@@ -150,7 +150,7 @@ def rotate(axis: Vector, point: Vector, degrees: float) -> Affine:
 
 
 def mirror(point: Vector, normal: Vector) -> Affine:
-    """At a plane through a point."""
+    """Mirror image at a plane through a point."""
     n = normalise(normal)
     rows = tuple(tuple((1.0 if i == j else 0.0) - 2 * n[i] * n[j] for j in range(3)) for i in range(3))
     return about(rows, point)  # type: ignore[arg-type]

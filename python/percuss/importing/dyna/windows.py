@@ -80,7 +80,7 @@ def join_motions(deck: KeywordDeck, first: Deck, second: Deck) -> Deck | None:
 
 
 def list_velocities(motion: Deck, start: float, end: float) -> Points | None:
-    """Of a motion in one direction from one time to another; None of an expression."""
+    """Velocities of a motion in one direction from one time to another; None of an expression."""
     (value,) = (motion.get("velocity") or motion["displacement"]).values()
     if isinstance(value, dict) and "table" not in value:
         return None

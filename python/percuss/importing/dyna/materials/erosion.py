@@ -89,7 +89,7 @@ def find_plastic_limit(deck: KeywordDeck, law: Deck, strain: float, row: Row) ->
 
 
 def find_yield_stress(law: Deck, plastic: float) -> float:
-    """At rest, of laws whose constants give it; infinite of others."""
+    """Yield stress at rest, of laws whose constants give it; infinite of others."""
     if law["model"] == "tabulated_plasticity":
         return interpolate([(x, y) for x, y in law["hardening"]], plastic)
     if law["model"] not in ("j2_plasticity", "combined_hardening"):

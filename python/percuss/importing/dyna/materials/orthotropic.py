@@ -118,7 +118,7 @@ def add_solid_axes(deck: KeywordDeck, card: Card, use: Use, law: Deck, lines: tu
 
 
 def find_own_axes(deck: KeywordDeck, use: Use) -> tuple[Vector, Vector] | None:
-    """Those of *ELEMENT_SOLID_ORTHO, where all elements have the same."""
+    """Axes of *ELEMENT_SOLID_ORTHO, where all elements have the same."""
     found = [deck.solid_axes.get(id) for id, _ in use.solids]
     axes = found[0]
     return axes if axes and all(other == axes for other in found) and any(cross(*axes)) else None
