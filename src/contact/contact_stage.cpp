@@ -62,9 +62,9 @@ int ContactStage::Impl::check(const SurfaceMotion& motion) {
   return tie_rows.append(finder->check(motion, history, touches), touches);
 }
 
-/// What ranks know of each other's contact in this step. is_same becomes whether enforcement would repeat the last step
-/// on every rank, without impulses, because all contacts are at rest. The second such step in a row computes the
-/// history from that of the first, the third the same again.
+/// Finds what ranks know of each other's contact in this step. is_same becomes whether enforcement would repeat the
+/// last step on every rank, without impulses, because all contacts are at rest. The second such step in a row computes
+/// the history from that of the first, the third the same again.
 RowMeeting ContactStage::Impl::meet(const ContactMotion& motion, int num_touches) {
   const bool is_same = finder->has_found_nothing_new() && num_touches == touches_last;
   touches_last = num_touches;

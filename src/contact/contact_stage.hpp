@@ -49,7 +49,7 @@ class ContactStage {
   /// Whether apply() does less if it knows the largest speeds, ContactMotion::fastest and fastest_before.
   bool wants_speeds() const;
 
-  /// What sensors have seen at the start, before prepare(): which pairs, walls and ties act. Collective.
+  /// Sets which pairs, walls and ties act at the start, by the events of sensors; call before prepare(). Collective.
   void set_switches(const std::vector<char>& happened);
 
   /// As set_switches(), between steps, with x and v of the state. Overlap where a pair or a wall begins to act is
@@ -63,8 +63,8 @@ class ContactStage {
   /// overlaps or crosses. Call once before the loop.
   std::string prepare(Rows3<const double> x, Rows3<const double> v);
 
-  /// What else there is to say of the start: a line for each tie; after prepare() one of the smallest gaps, and one of
-  /// parts that cross without contact.
+  /// Further notes on the start: a line for each tie; after prepare() one of the smallest gaps, and one of parts that
+  /// cross without contact.
   const std::vector<std::string>& start_notes() const;
 
   /// Overlap that prepare() found, of all ranks; empty before it.
@@ -139,8 +139,8 @@ class ContactStage {
   /// Kinetic energy of walls with a mass, the same on all ranks.
   double find_wall_energy() const;
 
-  /// What the forces of contact and of walls in output.history.forces gave since this was last called, in their order;
-  /// areas are those at positions x. Collective.
+  /// Impulses of the forces of contact and of walls in output.history.forces since the last call, in their order; areas
+  /// are those at positions x. Collective.
   std::vector<ContactImpulse> take_forces(Rows3<const double> x);
 
   /// Normal force of contact on each node in the last step, of length dt, over its area of the contact surface at

@@ -1,4 +1,4 @@
-// What the stage tells of what lies inside other bodies, or has gone through them, without a contact.
+// Warnings of what lies inside other bodies, or has gone through them, without a contact.
 
 #include <fmt/format.h>
 
@@ -51,8 +51,8 @@ void ContactStage::Impl::warn_of_missed(const std::optional<MissedContact>& foun
   missed.push_back({"missed_contact", describe_missed_contact(*found, mesh, find_user_id(found->node)), "", time});
 }
 
-/// What is known of the start, and when the next checks are due, so that a restarted run warns of what one that never
-/// stopped warns of.
+/// Archives what is known of the start, and when the next checks are due, so that a restarted run warns of what one
+/// that never stopped warns of.
 void ContactStage::Impl::archive_watch(CheckpointArchive& archive) {
   archive.number("contact/overlap_at_start", overlap_at_start);
   archive.integer("contact/watch/has_warned", has_warned_missed);

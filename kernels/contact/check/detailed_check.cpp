@@ -303,7 +303,7 @@ int list_checked_nodes(const WorkSpace& space, const CheckInputs& inputs, const 
   return num_checked;
 }
 
-/// What a node touched in the check before, if it and its faces lie still.
+/// Touches of a node in the check before, if it and its faces are at rest.
 struct StillTouches {
   int count = -1;  // -1: the node does not lie still
   int face[contact_limits::max_touches]{}, record[contact_limits::max_touches]{};

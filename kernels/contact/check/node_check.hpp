@@ -242,7 +242,7 @@ struct SkippedFaces {
   }
 };
 
-/// What the check of a node keeps from turn to turn. Faces: its candidates, candidates(candidates.first) to
+/// State of the check of a node, from turn to turn. Faces: its candidates, candidates(candidates.first) to
 /// candidates(candidates.last - 1) that are not negative.
 template <class Faces>
 struct NodeCheck : PairNode {

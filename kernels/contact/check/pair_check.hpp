@@ -233,8 +233,8 @@ KOKKOS_INLINE_FUNCTION void add_pair(const MovingSurface& moving, const PairNode
 /// How a pair may still be in contact.
 enum class PairOutlook { out, swept_only, any };
 
-/// What a node goes through it is in front of at the start. Faces that only meet at an edge, as those of bricks in line
-/// do, are hit only by going through them for certain.
+/// Whether the node is in front of the face at the start, as it must be to go through. Faces that only meet at an edge,
+/// as those of bricks in line do, are hit only by going through them for certain.
 KOKKOS_INLINE_FUNCTION bool starts_in_front(const FacePack& faces, int lane, double size) {
   return faces.range.most_start[lane] > contact_limits::overlap * size;
 }
@@ -284,8 +284,8 @@ KOKKOS_INLINE_FUNCTION bool judge_pair(const ContactSurface& surface, const Face
   Touch& touch = pairs.touch[lane];
   const RelativeFace relative = pairs.faces.get_relative(lane);
   const FacePoints end = pairs.faces.end[lane];
-  // What is farther from the face's plane than the band at both ends of the step, and so at any time, goes through
-  // nothing.
+  // A node that is farther from the face's plane than the band at both ends of the step, and so at any time, goes
+  // through nothing.
   const bool may_sweep = starts_in_front(pairs.faces, lane, touch.size) &&
                          pairs.faces.range.least[lane] <= bound_slack * contact_limits::new_band * touch.size;
   const auto has_passed = [&] {

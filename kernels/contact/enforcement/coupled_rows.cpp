@@ -80,8 +80,8 @@ struct Coefficients {
   }
 };
 
-/// What one direction of a row does to one rigid body: all its slots on it together, which one column must not have
-/// twice.
+/// Coefficients of one direction of a row on one rigid body: all its slots on it together, which one column must not
+/// have twice.
 struct BodyCoefficients {
   int body = -1, slot = 0;  // the first of them
   Wrench impulse, gap;

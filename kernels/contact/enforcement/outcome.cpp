@@ -1,4 +1,4 @@
-// What the impulses of a step did: velocities, work, what is left over, history.
+// Outcome of the impulses of a step: velocities, work, residuals, history.
 
 #include "kernels/contact/enforcement/enforcement.hpp"
 #include "kernels/contact/enforcement/push_out.hpp"
@@ -111,7 +111,7 @@ KOKKOS_INLINE_FUNCTION Point3 find_owed_slip(const ContactRow& row, const Rows3<
          (row.slide[1] + dot(moved, row.tangent[1])) * row.tangent[1];
 }
 
-/// What a record keeps of a row besides impulses. A spring is compressed by the overlap that its row releases.
+/// Values of a row that its record keeps besides impulses. A spring is compressed by the overlap that its row releases.
 struct KeptValues {
   Point3 slip{};
   double reference = 0, held = 0, to_push = 0;

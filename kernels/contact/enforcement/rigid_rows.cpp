@@ -326,7 +326,7 @@ struct BodyPlaces {
   Rows x;
   const std::vector<BodyResponse>& responses;
 
-  /// What a unit impulse along d is to the bodies that a row touches.
+  /// Adds a unit impulse along d to the wrenches of the bodies that a row touches.
   void add_wrenches(const ContactRow& row, const Point3& d, const TouchedBodies& bodies, Wrench* sums) const {
     const Point3 couple = find_couple(row, d);
     for (int slot = 0; slot < count_nodes(row); ++slot) {

@@ -77,7 +77,7 @@ void build_rows(const WorkSpace& space, const RowInputs& inputs, const RowSource
   if (system.bodies.count() > 0 && inputs.restitution >= 0) mark_rigid_rows(space, inputs, system);
 }
 
-/// What an enforcement reads besides the rows; each reads what it needs.
+/// Inputs of an enforcement besides the rows; each reads what it needs.
 struct SolveQuery {
   double dt = 0;                             // step
   double dt_mean = 0;                        // from the middle of the last step to that of this one; springs
@@ -86,7 +86,7 @@ struct SolveQuery {
   Array<const std::int64_t> node_numbers{};  // [mesh nodes]; lagrange
 };
 
-/// What every enforcement reports: solve_kinematic(), solve_lagrange() and solve_springs() take the same arguments and
+/// Report of every enforcement: solve_kinematic(), solve_lagrange() and solve_springs() take the same arguments and
 /// leave impulses in the rows and their dv in RowSystem::correction.
 struct SolveReport {
   std::int64_t rows = 0;  // on all ranks; 0: nothing was done here

@@ -3,7 +3,8 @@
 namespace percuss {
 namespace {
 
-/// What is deeper, as the element behind a face is crushed, comes back by this share of h a step: more may add energy.
+/// Deeper nodes, as where the element behind a face is crushed, come back by this share of h a step: more may add
+/// energy.
 constexpr double recovery = 1e-3;
 
 /// How far a row would go in deeper than its cushion, or than it is, if it ended the step at `gap`.
@@ -80,8 +81,8 @@ KOKKOS_INLINE_FUNCTION double find_last_push(double held, double stiffness, doub
   return held > 0 ? 4 * held / (root - speeds) : 0;
 }
 
-/// What a spring pushes besides Hooke's law to take what it owes, and so to hold k d(n) d(n+1) / 2. It waits for that
-/// until the sides move: of bodies at rest the force is Hooke's.
+/// Push of a spring besides Hooke's law, by which it takes what it owes and so holds k d(n) d(n+1) / 2. It waits for
+/// that until the sides move: between bodies at rest the force is Hooke's.
 KOKKOS_INLINE_FUNCTION double find_settlement(const ContactRow& row, const SpringMotion& motion, double hooke,
                                               double speeds) {
   constexpr double least_speed = 0.1;  // share of that which the push gives
@@ -156,7 +157,7 @@ KOKKOS_INLINE_FUNCTION void set_slip_push(const SlipMotion& slip, double push, R
   for (int d = 0; d < 2; ++d) impulse.tangential[d] = -push * slip.direction[d];
 }
 
-/// What Coulomb's limit leaves of the stretch at n: as much as pulls with the impulse of the step.
+/// Shortens the stretch at n to Coulomb's limit: to as much as pulls with the impulse of the step.
 KOKKOS_INLINE_FUNCTION void shorten_stretch(const RowVelocities& v, const SpringTimes& times, ContactRow& row) {
   if (is_sticking(row)) return;
   const SlipMotion slip = find_slip_motion(row, v, times);
@@ -179,7 +180,7 @@ KOKKOS_INLINE_FUNCTION RowImpulse push_row(ContactRow& row, const SpringMotion& 
   impulse.normal = find_spring_push(row, motion, free, times);
   if (slip.stretch > 0) set_slip_push(slip, find_slip_push(row, slip, {slip.predicted, slip.speeds}, times), impulse);
   limit_friction(row, impulse);
-  // What goes in by the end of the step is pushed in the next one: the contact must not be forgotten.
+  // A node that enters by the end of the step is pushed in the next one: the contact must not be forgotten.
   if (row.gap < find_floor(row)) row.is_caught = true;
   return impulse;
 }
@@ -260,7 +261,8 @@ KOKKOS_INLINE_FUNCTION double settle_row(ContactRow& row, const RowNodes& at, co
 /// held has this. With 0 that would not be known.
 constexpr double least_held = 1e-12;
 
-/// What the sides have given the spring at n+1/2. A stop, which pushes more than a spring, keeps nothing of it.
+/// Adds the energy that the sides have given the spring at n+1/2. A stop, which pushes more than a spring, keeps
+/// nothing of it.
 KOKKOS_INLINE_FUNCTION void book_row(ContactRow& row, const RowNodes& at, const Rows3<const double>& dv,
                                      const SpringTimes& times) {
   const RowVelocities v(row, at);

@@ -56,7 +56,7 @@ PERCUSS_FORCE_INLINE Vector3<T> find_closest_on_triangles(const Vector3<T>& a, c
   return {select(is_bc, zero, one - v - w), select(is_bc, one - w, v), w};
 }
 
-/// What find_closest_point() of face_geometry.hpp compares: for each triangle (middle, corner k, corner k + 1) the
+/// Candidates of find_closest_point() of face_geometry.hpp: for each triangle (middle, corner k, corner k + 1) the
 /// coordinates of its closest point, the vector from that to the origin, and its square.
 struct FanClosest {
   double bary[3][4], to_origin[3][4], square[4];

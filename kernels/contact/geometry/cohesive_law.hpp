@@ -36,7 +36,7 @@ struct CohesiveLaw {
   KOKKOS_INLINE_FUNCTION double shear_onset() const { return 0.5 * shear_strength * shear_strength / shear_stiffness; }
 };
 
-/// What a place of a glued surface has: traction and energies by area.
+/// State of a point of a glued surface: traction and energies by area.
 struct CohesivePoint {
   double normal = 0, shear = 0;  // tractions
   double whole = 0;              // energy that the tension and shear of now would store without damage

@@ -164,8 +164,8 @@ KOKKOS_FORCEINLINE_FUNCTION void set_tangents(FilledRows& row) {
   row.tangent[1] = cross(n, row.tangent[0]);
 }
 
-/// What friction adds: tangents, slide and tangential impulses; of rows without it zeros. last: impulse of the record.
-/// In: push.
+/// Sets the part of friction: tangents, slide and tangential impulses; zeros without friction. last: impulse of the
+/// record. In: push.
 KOKKOS_FORCEINLINE_FUNCTION void set_friction(const TouchPack& touch, const SideVelocities& velocity,
                                               const RowInputs& inputs, const PackedPoint& last, FilledRows& row) {
   const Packed zero(0), friction = load_pack(touch.friction);

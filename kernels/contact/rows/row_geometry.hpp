@@ -136,7 +136,7 @@ KOKKOS_INLINE_FUNCTION void limit_recovery(const RowWays& ways, ContactRow& row)
   if (reachable < row.target) row.target = reachable;
 }
 
-/// What is to be pushed out, of what a record says: in its first step a row may find more.
+/// Overlap to be pushed out, by the record: in its first step a row may find more.
 KOKKOS_INLINE_FUNCTION double find_to_push(double of_record, double reference) {
   return of_record > 0 && of_record < reference ? reference : of_record;
 }
@@ -260,10 +260,10 @@ KOKKOS_INLINE_FUNCTION LastContact load_last_contact(const ContactHistory& histo
 /// where they have gone through one another.
 inline constexpr double least_line_cosine = 0.5;
 
-/// What a spring between two sheets takes for its touch: the distance of the node from the mid-surface at n. The push
-/// is the gradient of this distance, at the closest point, so that it has a potential and needs no couple. Along the
-/// normals of the check it would turn with faces on which it does not act, and sheets that are pressed together node
-/// over node would flutter. place: of the nodes.
+/// Measures a spring between two sheets by the distance of the node from the mid-surface at n. The push is the gradient
+/// of this distance, at the closest point, so that it has a potential and needs no couple. Along the normals of the
+/// check it would turn with faces on which it does not act, and sheets that are pressed together node over node would
+/// flutter. place: of the nodes.
 KOKKOS_INLINE_FUNCTION void measure_between_sheets(const RowNodes& at, double dt, const int* place, RowTouch& touch) {
   const Point3 origin = load_row(at.x, place[0]);
   double weight[row_nodes];

@@ -108,7 +108,7 @@ KOKKOS_FORCEINLINE_FUNCTION void limit_friction(const Packed& friction, Packed (
   for (int d = 1; d < 3; ++d) p[d] = select(limit > Packed(0), p[d] * factor, Packed(0));
 }
 
-/// What a tie requests without sign and limit, and what any other row may have.
+/// Chooses the value of a tie, without sign and limit, or that of any other row.
 KOKKOS_FORCEINLINE_FUNCTION Packed choose_tied(const RowPack& pack, const Packed& of_tie, const Packed& of_others) {
   return pack.ties == 0 ? of_others : select(load_pack(pack.tied) > Packed(0), of_tie, of_others);
 }

@@ -48,7 +48,7 @@ KOKKOS_INLINE_FUNCTION bool is_overlapping(const AnyTouch& touch) {
   return touch.gap_start < least || touch.gap_end < least;
 }
 
-/// What the row of a node on a face takes over from the check.
+/// Touch of the row of a node on a face, from the check.
 KOKKOS_INLINE_FUNCTION RowTouch make_row_touch(const Touch& touch) {
   RowTouch row;
   for (int i = 0; i < 4; ++i) row.weight[i + 1] = -touch.weight[i];
@@ -137,7 +137,7 @@ struct RowNodes {
   Array<double> growth = Array<double>("contact::row_growth", 0);              // of masses by damping; with springs
 };
 
-/// What a row that ties a rotation knows of the node's own rotation, which no other row touches. Spins times the lever.
+/// The node's own rotation in a row that ties it, which no other row touches. Spins times the lever.
 struct TurningRow {
   Point3 compliance{};  // lever^2 / inertia by axis; 0: held
   Point3 before{};      // at n-1/2
@@ -186,7 +186,7 @@ struct RowInputs {
 /// Whether springs push any rows.
 KOKKOS_INLINE_FUNCTION bool has_springs(const RowInputs& inputs) { return inputs.springs != SpringRows::none; }
 
-/// What rows are made of, besides ties: touches by (node, face), then those of edges and ties, and pairs of walls.
+/// Sources of rows, besides ties: touches by (node, face), then those of edges and ties, and pairs of walls.
 struct RowSources {
   Array<const RowTouch> touches;
   int num_touches = 0;

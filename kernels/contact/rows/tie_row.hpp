@@ -128,7 +128,7 @@ KOKKOS_INLINE_FUNCTION TurningRow fill_turning_row(const TieGeometry& tie, const
   return turning;
 }
 
-/// What the row's own impulse gives to the node's spin, times the lever.
+/// Change of the node's spin by the row's own impulse, times the lever.
 KOKKOS_INLINE_FUNCTION Point3 find_own_change(const ContactRow& row, const TurningRow& turning) {
   const Point3 &c = turning.compliance, &p = row.force;
   return {c.x * p.x, c.y * p.y, c.z * p.z};

@@ -30,7 +30,7 @@ struct WallPush {
   }
 };
 
-/// What the nodes before a wall that gives way say of its speed, in a pass (moving_walls.hpp).
+/// Sums over the nodes before a wall with a mass, from which its speed follows in a pass (moving_walls.hpp).
 struct WallMeeting {
   ExactSum mass, momentum;
 

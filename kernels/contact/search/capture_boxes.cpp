@@ -21,7 +21,7 @@ double find_largest_value(const char* name, const WorkSpace& space, std::size_t 
   return larger(largest, 0.0);
 }
 
-/// What node i of `nodes` has moved from its place in `origin`, at n and at its predicted place.
+/// Displacement of node i of `nodes` from its place in `origin`, at n and at its predicted place.
 struct Travels {
   Array<const int> nodes;
   SurfaceMotion motion;

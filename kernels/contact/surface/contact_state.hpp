@@ -82,8 +82,8 @@ struct CheckedNode {
   Point3 low{}, high{};  // box of the node over the step
 };
 
-/// What contacts of two edges remember, in the FE decomposition with the home of edge A, the one of the lower number:
-/// one record a row of the last step, by (a, b).
+/// History of contacts of two edges, in the FE decomposition with the home of edge A, the one of the lower number: one
+/// record a row of the last step, by (a, b).
 struct EdgeHistory {
   int count = 0;
   Array<std::int64_t> a = Array<std::int64_t>("contact::edge_history_a", 0);      // [count] numbers of edges
@@ -97,9 +97,9 @@ struct EdgeHistory {
   Array<double> to_push = Array<double>("contact::edge_history_to_push", 0);      // likewise
 };
 
-/// What a contact remembers from one step to the next, in the FE decomposition with the owner of the node. Record
-/// 3 n + i belongs to push i of contact node n, the records after those to pairs of a wall and a node. Part of the
-/// state: a checkpoint must keep it.
+/// History of contacts from one step to the next, in the FE decomposition with the owner of the node. Record 3 n + i
+/// belongs to push i of contact node n, the records after those to pairs of a wall and a node. Part of the state: a
+/// checkpoint must keep it.
 struct ContactHistory {
   Array<std::int64_t> face;  // [3 contact nodes] number of the face of this record; -1: none
   Rows3<double> impulse;     // [records] impulse on the node in the last step

@@ -33,7 +33,7 @@ struct PointQuery {
   int num_names = 0;           // of points
 };
 
-/// What a rule asks of a box: read beside the box, where its name would be followed all over memory.
+/// Data of a box for a rule: stored beside the box, since access by its name would be scattered over memory.
 struct BoxMark {
   int name = 0;
   int box_class = 0;                   // which of the named surfaces it lies on

@@ -27,7 +27,7 @@ struct SurfaceLists {
 
 ContactSurface make_contact_surface(const SurfaceLists& lists, const SurfaceShare& share);
 
-/// What the next checks may leave out, by a bound on the travel of all nodes, those behind faces included.
+/// Pairs that the next checks may leave out, by a bound on the travel of all nodes, those behind faces included.
 struct NearWay {
   double near = 0;           // until the near pairs are listed again [length]; 0: none are listed
   double search = 0;         // until the next search [length], for a first list that is to be made now; 0: none is

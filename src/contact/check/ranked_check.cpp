@@ -56,7 +56,7 @@ void find_remembered_faces(const WorkSpace& space, const Array<const int>& rows,
       });
 }
 
-/// What a contact node of the share, and what a message remembers.
+/// History of the contact nodes of the share, and of a message.
 struct OwnMemory {
   Array<const std::int64_t> remembered;
   Array<const int> places;

@@ -41,7 +41,7 @@ class RankedCheck {
   /// Checks the candidate pairs here: of nodes that this rank owns in the contact decomposition.
   void check(const SurfaceMotion& motion, const ContactHistory& history);
 
-  /// What the last check found goes to the FE owners. Returns the touches of the contact nodes that this rank owns
+  /// Sends the touches of the last check to the FE owners. Returns the touches of the contact nodes that this rank owns
   /// there, by (node, face). Corners that other ranks own are numbered as foreign nodes.
   std::vector<RowTouch> send_results_to_fe_owners();
 

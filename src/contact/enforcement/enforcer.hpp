@@ -52,7 +52,7 @@ class Enforcer {
   /// A step like the last one, in which rows pushed nothing: what was remembered still is.
   void repeat(const ContactMotion& motion);
 
-  /// What the pushes along the normals gave to the nodes in the last step [force x time]: [mesh nodes], of copies of
+  /// Impulses of the pushes along the normals on the nodes in the last step [force x time]: [mesh nodes], of copies of
   /// others' nodes zero. Collective.
   Rows3<double> find_pushes();
   /// Reads or writes these pushes in a checkpoint, if the deck that wrote it had them: after a restart they are these

@@ -1,4 +1,4 @@
-// What the pushes of a step gave to the nodes, for fields of contact pressure.
+// Impulses of the pushes of a step on the nodes, for fields of contact pressure.
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/view_copy.hpp"

@@ -20,7 +20,7 @@ class NodeAreas {
   /// Computes the areas at positions x: [mesh nodes].
   void update(const Rows3<const double>& x);
 
-  /// What each face around the owned nodes has, of_own: [faces of the share] of this rank's. Returns [faces of the
+  /// Values of all faces around the owned nodes. of_own: [faces of the share] of this rank's. Returns [faces of the
   /// share, foreign faces]; particles have T{}. Collective.
   template <class T>
   std::vector<T> extend_to_foreign(std::vector<T> of_own) {

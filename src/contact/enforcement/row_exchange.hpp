@@ -27,7 +27,7 @@
 
 namespace percuss {
 
-/// What the ranks know of each other's rows before these are made.
+/// Knowledge of the ranks about each other's rows, before these are made.
 struct RowMeeting {
   bool any_rows = false;  // on any rank
   bool is_same = false;   // all ranks found what they did in the last step

@@ -68,7 +68,7 @@ struct EntryAnswer {
   std::int64_t key, rank;
 };
 
-/// What the message of an answer is made of: a node takes several, an entry one.
+/// Word of an answer's message: a node takes several, an entry one.
 struct AnswerWord {
   std::int64_t value[2];
 };

@@ -22,7 +22,7 @@ struct DeepNode {
   Point3 x{};
 };
 
-/// What edges of one part, joined with each other, do to the surface of a body.
+/// Division of the surface of a body by edges of one part that are joined with each other.
 struct CrossedSides {
   std::vector<std::size_t> edges;  // of `piercing`, those that go through an odd number of times
   std::vector<Point3> nodes[2];    // of either side, by their numbers

@@ -11,8 +11,8 @@
 
 namespace percuss {
 
-/// What is at a tie: its nodes, the corners of the faces that hold them, and faces and edges with one of these. Numbers
-/// of all ranks, ascending.
+/// Nodes, faces and edges at ties: the tied nodes, the corners of the faces that hold them, and faces and edges with
+/// one of these. Numbers of all ranks, ascending.
 struct FlushTies {
   struct Item {
     std::int64_t number;

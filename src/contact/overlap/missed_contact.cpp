@@ -103,7 +103,7 @@ void find_edges(const OverlapSearch& search, const SurfaceMotion& motion, const 
   }
 }
 
-/// What this rank knows of an edge.
+/// Marks of an edge on this rank.
 constexpr int is_held = 1, began_inside = 2;
 
 /// Marks the edges of all ranks: is_held where this rank has a record of the edge or of an end, began_inside.

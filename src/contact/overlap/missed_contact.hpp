@@ -25,7 +25,7 @@ struct MissedContact {
   double x[3] = {0, 0, 0};  // [length]
 };
 
-/// What is not missed. What lies beside the rim of a shell, within its thickness, is not inside it.
+/// Contact that is not missed. What lies beside the rim of a shell, within its thickness, is not inside it.
 struct KnownContact {
   std::vector<std::int64_t> inside;  // numbers of this rank's nodes that began inside another body, ascending
   std::vector<char> of_shells;       // [parts of the mesh]
@@ -35,8 +35,8 @@ struct KnownContact {
   bool has_shells() const { return std::find(of_shells.begin(), of_shells.end(), 1) != of_shells.end(); }
 };
 
-/// What of the surface find_missed_contact() has to look at: no nodes, on all ranks, if no node may be in the box of a
-/// face that counts. Collective.
+/// Part of the surface that find_missed_contact() has to check: no nodes, on all ranks, if no node may be in the box of
+/// a face that counts. Collective.
 LookedAt find_watched(const OverlapSearch& search, const SurfaceMotion& motion, const ContactHistory& history,
                       const KnownContact& known);
 
@@ -47,7 +47,7 @@ std::optional<MissedContact> find_missed_contact(const OverlapSearch& search, co
                                                  const ContactHistory& history, const LookedAt& at,
                                                  const KnownContact& known);
 
-/// What find_missed_edge() found, and the tests of points and boxes that it took.
+/// Result of find_missed_edge(), and the tests of points and boxes that it took.
 struct MissedEdge {
   std::optional<MissedContact> missed;
   std::int64_t tests = 0;

@@ -18,7 +18,7 @@
 namespace percuss {
 namespace {
 
-/// What is known of the depth of two parts: of the first in the other, and of the other in the first.
+/// Depth of two parts: of the first in the other, and of the other in the first.
 struct PairDepth {
   PartCrossing crossing;
   DeepNode ways[2], edges[2];

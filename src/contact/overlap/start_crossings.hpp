@@ -45,8 +45,8 @@ struct CrossingScene {
 /// of one rigid body or of one joint, and what ties, constraints and solids around embedded nodes hold. Collective.
 std::vector<PartCrossing> find_crossings(const CrossingScene& scene, const Rows3<const double>& x);
 
-/// What stands before them, and "'a' and 'b' by 5 at (1, 2, 3), ..." of the deep ones of one kind, deepest first, a few
-/// of them; empty if there are none.
+/// Text with `before`, and "'a' and 'b' by 5 at (1, 2, 3), ..." of the deep ones of one kind, deepest first, a few of
+/// them; empty if there are none.
 std::string describe_crossings(const std::string& before, PartCrossing::Contact contact,
                                const std::vector<PartCrossing>& crossings, const Mesh& mesh);
 

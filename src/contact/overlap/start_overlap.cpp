@@ -116,7 +116,7 @@ struct SeededRecords {
 
 bool pushes_out(const ContactHistory& history) { return history.to_push.extent(0) > 0; }
 
-/// What acts of the walls named, or of all, for records from `first` on.
+/// Seeds the walls named that act, or all, for records from `first` on.
 void seed_walls(const OverlapSearch& search, const SurfaceMotion& motion, const std::vector<char>& only,
                 StartOverlap& found, const SeededRecords& records) {
   const HostWalls host(search.walls, motion.x);

@@ -32,8 +32,8 @@ struct StartOverlap {
   std::vector<std::int64_t> inside;  // numbers of the nodes, of this rank alone, one for each that holds it
 };
 
-/// What looks for overlap. At the start and after erosion the finder is that of the run, whose pairs are used or
-/// searched again; audits bring one of their own.
+/// Context of a search for overlap. At the start and after erosion the finder is that of the run, whose pairs are used
+/// or searched again; audits bring one of their own.
 struct OverlapSearch {
   const Communicator& ranks;
   const SurfaceShare& share;
@@ -48,7 +48,7 @@ struct OverlapSearch {
   void search_everywhere(const SurfaceMotion& motion) const { finder.search(motion, find_margin(motion)); }
 };
 
-/// What may be touched from now on, though nothing there has been taken in by the history.
+/// Faces, nodes and walls that may be touched from now on, and are not yet in the history.
 struct BornContact {
   std::vector<std::int64_t> faces;  // numbers of faces of the pairs of surfaces, of all ranks, ascending
   std::vector<std::int64_t> nodes;  // numbers of their corners, likewise
@@ -83,7 +83,7 @@ struct EdgeChange {
 /// Joins to the gaps those of tied parts, and of parts that overlap or cross.
 void complete_gaps(const std::vector<PartGap>& tied, StartOverlap& found);
 
-/// What was found and what becomes of it; empty if there is none. Warnings of it are those of src/checks.
+/// Describes the overlap and what becomes of it; empty if there is none. Warnings of it are those of src/checks.
 /// deepest_id: the user's of deepest_node. when: "at the start".
 std::string describe_overlap(const StartOverlap& found, ContactDeck::Overlap overlap, const Mesh& mesh,
                              std::int64_t deepest_id, const std::string& when);

@@ -20,7 +20,7 @@ constexpr int points_of_piece = 3;
 /// past an edge).
 constexpr double tie = 1 + 1e-9;
 
-/// What a rank has of the faces of a body of solids.
+/// Faces of a body of solids on a rank.
 struct BodyShare {
   int body = 0, rank = 0;
   HostBox box;
@@ -230,7 +230,7 @@ SunkenEdges find_sunken_edges(const Communicator& ranks, const SurfaceShare& sha
   std::vector<HostBox> list;
   for (const BodyShare& body : bodies) {
     HostBox& box = list.emplace_back(body.box);
-    // What is inside by so much is so far from the sides of the box of the body; the share of a rank ends anywhere.
+    // A point that deep inside is as far from the sides of the box of the body; the share of a rank may end anywhere.
     const BodyReach& of = reaches.at(body.body);
     box.widen(ranks.size() > 1 ? of.reach + share.largest_offset : share.largest_offset - of.least);
     box.item = static_cast<int>(list.size()) - 1;

@@ -1,4 +1,4 @@
-// What ranks send each other for pairs of edges, by the steps of a run.
+// Messages of ranks for pairs of edges, by the steps of a run.
 
 #include <algorithm>
 #include <set>
@@ -86,7 +86,7 @@ void ContactPlanner::plan_edge_search(const Places& places, ContactPlan& plan) c
   named.history.send_back(number_bytes, search, plan);
 }
 
-/// What the ranks that find pairs of edges read: nodes from their FE owners, history of edges A from their homes.
+/// Items read by the ranks that find pairs of edges: nodes from their FE owners, history of edges A from their homes.
 ContactPlanner::Named ContactPlanner::name_edges(const Places& places, const PairsOfEdges& pairs) const {
   std::vector<std::set<int>> nodes(at(places.tree.rank_count)), edges(nodes.size());  // by rank
   for (const auto& [a, b] : pairs) {
@@ -103,7 +103,7 @@ ContactPlanner::Named ContactPlanner::name_edges(const Places& places, const Pai
   return named;
 }
 
-/// What the check of some pairs reads and sends back, a number of times a step.
+/// Counts what the check of some pairs reads and sends back, a number of times a step.
 void ContactPlanner::send_edge_check(const Places& places, const PairsOfEdges& pairs, double times,
                                      ContactPlan& plan) const {
   const auto step = &ContactRankPlan::step;

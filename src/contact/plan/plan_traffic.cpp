@@ -1,4 +1,4 @@
-// What ranks send each other for contact, by the steps of a run.
+// Messages of ranks for contact, by the steps of a run.
 
 #include <algorithm>
 #include <map>
@@ -24,7 +24,8 @@ constexpr std::int64_t entry_bytes = sizeof(EntryAnswer);  // a row of another r
 
 }  // namespace
 
-/// What a rank learns of the surface around some nodes; RankedFinder does not ask where it knows all faces already.
+/// Part of the surface around some nodes that a rank receives; RankedFinder does not ask where it knows all faces
+/// already.
 struct ContactPlanner::Reach {
   const ContactPlanner& planner;
   const Places& places;
@@ -121,8 +122,8 @@ void ContactPlanner::plan_telling(const Places& places, ContactPlan& plan) const
   }
 }
 
-/// What a rank is sent for the check of some pairs, a number of times a step: (5.6) and (5.7). lists: how often in a
-/// step it requests some of it.
+/// Counts what a rank is sent for the check of some pairs, a number of times a step: (5.6) and (5.7). lists: how often
+/// in a step it requests some of it.
 void ContactPlanner::send_check(const Places& places, const FacesOfNodes& pairs, double times, double lists,
                                 ContactPlan& plan) const {
   std::vector<std::vector<int>> checked(plan.ranks.size());  // by rank, places among the contact nodes
@@ -184,7 +185,7 @@ void ContactPlanner::count_contacts(const Places& places, ContactPlan& plan) con
   }
 }
 
-/// What rows exchange with all ranks that have rows on the same nodes, and with the owners of these.
+/// Plans what rows exchange with all ranks that have rows on the same nodes, and with the owners of these.
 void ContactPlanner::plan_enforcement(const Places& places, ContactPlan& plan) const {
   std::vector<std::map<int, std::int64_t>> rows(whole_.mesh.nodes.size());  // of a node: how many each rank has on it
   for (const Row& row : rows_) {

@@ -32,7 +32,7 @@ struct NodeRecord {
   int faces = 0;  // around it, searched or not
 };
 
-/// What the contact decomposition did so far; the same on every rank.
+/// Report of the contact decomposition so far; the same on every rank.
 struct DecompositionReport {
   long rebalances = 0;
   double imbalance = 1;          // of nodes and faces after the last rebalance: max over mean
@@ -59,7 +59,7 @@ class ContactDecomposition {
   void find_reached_ranks(const SurfaceMotion& motion, double margin);
   void send_overlapping_faces();
 
-  /// What this rank has after a search, ascending in number, and whether that are others than before it, on any rank.
+  /// Nodes and faces of this rank after a search, ascending in number, and whether they have changed on any rank.
   const std::vector<NodeRecord>& nodes() const { return nodes_; }
   const std::vector<FaceTopology>& faces() const { return faces_; }
   /// [nodes] OwnedContactNodes::radii; empty: no beams touch.

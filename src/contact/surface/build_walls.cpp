@@ -21,7 +21,8 @@ namespace {
 constexpr double elements_around = 8;  // an inner node
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-/// What elements say of a node that they hold. Extremes only: they do not depend on which rank has which element.
+/// Properties of a node by the elements that hold it. Extremes only: they do not depend on which rank has which
+/// element.
 struct HeldNode {
   std::int64_t number = 0;
   double size = endless;  // shortest edge there at the start

@@ -158,7 +158,7 @@ std::vector<NodeNotice> notify_nodes(const ChunkedMesh& chunked, const std::vect
   return notices;
 }
 
-/// What lies at a node: the node of a solid has no thickness, whatever beams end there.
+/// Elements at a node: the node of a solid has no thickness, whatever beams end there.
 struct NodeItems {
   bool has_faces = false, has_solid = false;
 

@@ -268,7 +268,7 @@ inline bool is_blunt_or_feature(EdgeKind kind, const EdgeSide& a, const EdgeSide
   return is_sharp(kind, a, b, contact_limits::blunt);
 }
 
-/// What edges are longer than that can pass between the nodes of this one.
+/// Length above which other edges can pass between the nodes of this one.
 inline double find_passing_length(EdgeKind kind, const EdgeSide& a) {
   namespace limits = contact_limits;
   return a.length * (kind == EdgeKind::solid ? limits::passing_edges : limits::passing_edges_of_shells);

@@ -22,7 +22,7 @@ struct TiedNode {
   double area = 0;       // that it holds, of a late tie that may fail [area]
 };
 
-/// What became of the nodes of one tie's side a, on all ranks.
+/// Counts of tied and other nodes of one tie's side a, on all ranks.
 struct TieCounts {
   std::int64_t tied = 0;
   std::int64_t apart = 0;    // farther from the surface of side b than the tie's distance

@@ -25,7 +25,7 @@ struct ClosestFace {
   }
 };
 
-/// What is searched: nodes of side a, on faces of side b.
+/// Inputs of a search for nodes of side a on faces of side b.
 struct TieSearch {
   const std::vector<Vec3>& places;        // [mesh nodes] of now
   const std::vector<int>& nodes;          // mesh nodes of this rank, ascending

@@ -9,7 +9,7 @@
 namespace percuss {
 namespace {
 
-/// What a rank knows of a node, for its owner, and the owner's answer.
+/// Message of a rank on a node to its owner, and the owner's answer.
 struct NodeValue {
   std::int64_t node = -1;
   int asker = 0;

@@ -38,8 +38,8 @@ void stick_nodes(const TieScene& scene, std::size_t t, const std::vector<std::in
 std::array<std::vector<ElementFace>, 2> list_tied_faces(const TieScene& scene, std::size_t t,
                                                         const std::vector<std::int64_t>& tied);
 
-/// What is left of the ties of a mesh that is eroded: a tie goes with the element behind its face, and with the last
-/// element that holds its node. Collective.
+/// Ties that remain on an eroded mesh: a tie is removed with the element behind its face, and with the last element
+/// that holds its node. Collective.
 TiedSurfaces keep_living_ties(const ChunkedMesh& chunked, const TiedSurfaces& ties, const Communicator& ranks);
 
 /// How many nodes are tied, how many not, the largest offset.
