@@ -17,7 +17,7 @@ def write_page(version, program, commands):
         lines += [f".SS percuss {command.name}", _escape(command.summary) + "."]
         lines += _list(command.positionals) + _list(command.options)
         lines += _write_footer(command.footer, {}, without=(command.summary,))
-    lines += _write_footer(program.footer, HEADINGS)
+    lines += _write_footer(program.footer.partition("\n\n")[2], HEADINGS)  # without what percuss is
     lines += [".SH SEE ALSO", "The pages in docs, of which deck.md describes every key of a deck."]
     return "\n".join(lines) + "\n"
 
@@ -45,7 +45,7 @@ def _write_footer(text, headings, without=()):
     """Lines that are indented stay as they are; others are filled."""
     lines, is_kept = [], False
     for line in text.splitlines():
-        if line.strip() in without or line.startswith("percuss simulates"):
+        if line.strip() in without:
             continue
         keeps = line.startswith(" ")
         if keeps != is_kept and line.strip():

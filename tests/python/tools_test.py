@@ -85,10 +85,12 @@ class Tools(unittest.TestCase):
         for name in tools.TOOLS:
             self.assertIn(name, done.stderr)
 
-    def test_every_tool_has_help_without_a_library(self):
+    def test_every_tool_has_help_without_a_library_within_80_columns(self):
         for name in tools.TOOLS:
-            done = subprocess.run([sys.executable, "-S", "-m", "percuss", name, "--help"], capture_output=True, text=True, timeout=60)
+            done = subprocess.run([sys.executable, "-S", "-m", "percuss", name, "--help"], capture_output=True, text=True, timeout=60,
+                                  env=dict(os.environ, COLUMNS="200"))
             self.assertEqual((done.returncode, done.stderr), (0, ""), name)
+            self.assertLessEqual(max(map(len, done.stdout.splitlines())), 80, name)
 
     def test_counts_the_libraries_that_an_interpreter_lacks(self):
         count = [subprocess.run([sys.executable, "-S", "-m", "percuss", "--lacks", name], timeout=60).returncode for name in ("stop", "tables", "report")]

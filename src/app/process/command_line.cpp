@@ -7,7 +7,9 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 #include "src/app/process/help_texts.hpp"
@@ -48,6 +50,35 @@ CLI::Validator at_least(double least, const std::string& words) {
   return CLI::Validator(check, "");
 }
 
+/// The text in lines of at most `width` letters.
+std::string wrap(const std::string& text, std::size_t width) {
+  std::string lines;
+  std::size_t length = 0;  // of the last line
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const bool fits = length + 1 + word.size() <= width;
+    if (length > 0) lines += fits ? ' ' : '\n';
+    length = length > 0 && fits ? length + 1 + word.size() : word.size();
+    lines += word;
+  }
+  return lines;
+}
+
+/// Lists options and commands within 80 columns.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter() {
+    column_width(name_columns);
+    label("SUBCOMMAND", "COMMAND");
+  }
+  std::string make_option_desc(const CLI::Option* option) const override {
+    return wrap(option->get_description(), columns - name_columns);
+  }
+
+ private:
+  static constexpr std::size_t columns = 80, name_columns = 26;
+};
+
 struct Parser {
   CLI::App app{help_texts::about, "percuss"};
   CLI::App *run = nullptr, *check = nullptr, *plan = nullptr, *info = nullptr, *schema = nullptr;
@@ -56,7 +87,7 @@ struct Parser {
 
   Parser() {
     app.footer(help_texts::general);
-    app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+    app.formatter(std::make_shared<HelpFormatter>());  // before the commands, which take it over
     app.set_help_flag("-h,--help", "Print this help");
     app.add_flag("--version", version, "Print the version");
     run = add("run", "Run a deck", help_texts::run);
@@ -65,15 +96,15 @@ struct Parser {
     info = add("info", "Describe a results file or a mesh", help_texts::info);
     schema = add("schema", "Print a JSON Schema of the deck, for editors", help_texts::schema);
     add_tool("import", "Convert an LS-DYNA or Abaqus model to a deck", "Commands");
-    add_tool("sweep", "Run designs of a deck, and show how results depend on them", "Commands");
+    add_tool("sweep", "Run a deck with many values, and compare the results", "Commands");
     add_tool("build-law", "Compile a material law of your own as a library", "Commands");
     const char* of_results = "Results";
     add_tool("plot", "Plot columns of history.csv for one or more runs", of_results);
     add_tool("report", "Write one page about a run, or a comparison of runs", of_results);
     add_tool("watch", "Follow a run in the terminal", of_results);
-    add_tool("stop", "Ask an active run to stop, or for a frame or a checkpoint", of_results);
+    add_tool("stop", "Stop an active run, or request a frame or a checkpoint", of_results);
     add_tool("render", "Draw pictures and an animation of the fields", of_results);
-    add_tool("view", "Write the surface over time as a page to turn with the mouse", of_results);
+    add_tool("view", "Write the surface over time as an interactive page", of_results);
     add_tool("export", "Write fields in formats of other programs", of_results);
     add_deck(run);
     add_deck(check);

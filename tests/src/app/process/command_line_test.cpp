@@ -97,6 +97,13 @@ TEST(CommandLine, HelpsOnDemand) {
   EXPECT_THAT(answer({"schema", "-h"}).text, HasSubstr("Usage: percuss schema"));
 }
 
+TEST(CommandLine, HelpsWithin80Columns) {
+  for (const std::string name : {"", "run", "check", "plan", "info", "schema"}) {
+    const Answer help = name.empty() ? answer({"--help"}) : answer({name.c_str(), "--help"});
+    EXPECT_THAT(help.text, testing::Not(testing::ContainsRegex("[^\n]{81}"))) << name;
+  }
+}
+
 TEST(CommandLine, TellsItsVersion) {
   EXPECT_EQ(answer({"--version"}).exit_code, ExitCode::done);
   EXPECT_THAT(answer({"--version"}).text, HasSubstr("percuss " PERCUSS_VERSION));
