@@ -13,7 +13,7 @@
 
 namespace percuss {
 
-/// What becomes of the numbers of all ranks. Sums are for integers (and for doubles whose last bits do not matter).
+/// Operation on the numbers of all ranks. Sums are for integers (and for doubles whose last bits do not matter).
 enum class Reduce { sum, least, largest };
 
 namespace all_reduce_detail {

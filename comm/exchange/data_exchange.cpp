@@ -62,7 +62,7 @@ void DataExchange::begin_message(const std::byte* data, int length, int rank, in
 
 namespace {
 
-/// What stays on this rank is copied without MPI.
+/// Copies what stays on this rank, without MPI.
 void copy_own(const PeerRun& from, const PeerRun& to, const std::byte* send, std::byte* receive,
               std::size_t item_bytes) {
   std::memcpy(receive + static_cast<std::size_t>(to.first) * item_bytes,

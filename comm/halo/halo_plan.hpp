@@ -22,7 +22,7 @@ struct LocalSlots {
                                      //         of a node, over all ranks
 };
 
-/// What is sent of the slots and where received ones lie; const after set-up.
+/// Slots to send, and places of received ones; const after set-up.
 struct HaloPlan {
   ExchangePlan exchange;        // items are slots
   std::vector<int> send_slots;  // [sent] local slot of each item sent; a slot goes to every rank that shares its node

@@ -28,7 +28,7 @@ class Parts {
   const std::vector<int>& members(std::size_t part) const { return members_[part]; }
   long long cost(int vertex) const { return graph_.vertex_weights[static_cast<std::size_t>(vertex)]; }
 
-  /// What moving a vertex adds to the cut: edges to its own part are cut, those to the new part no longer.
+  /// Growth of the cut by moving a vertex: edges to its own part are cut, those to the new part no longer.
   long long find_growth(int vertex, int part) const {
     long long growth = 0;
     const int own = parts_[static_cast<std::size_t>(vertex)];

@@ -12,7 +12,7 @@ namespace percuss {
 /// Once at most so many points are left, their keys are gathered instead of probed.
 inline constexpr int gathered_keys = 256;
 
-/// What is left of a search: the points, over all ranks, one of which is the cut.
+/// Bracket of a search: the points that are left, over all ranks, one of which is the cut.
 struct Bracket {
   CoordinateKey lowest, highest;  // of the points
   bool keys_are_exact = true;     // false: only the coordinates of the two are those of points

@@ -89,7 +89,7 @@ struct StartState {
   std::vector<Warning> warnings;
 };
 
-/// What a run of the scene would warn of at its start. Collective.
+/// Warnings of a run of the scene at its start. Collective.
 std::vector<Warning> list_warnings(const Deck& deck, const ChunkedMesh& chunked, const Model& model, Stepper& stepper,
                                    const ContactStage& contact, const StartState& start) {
   const SceneMeasures measures = measure_scene(deck, chunked, model.start_velocity);

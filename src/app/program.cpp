@@ -28,7 +28,7 @@ ExitCode guard(const Work& work) {
   }
 }
 
-// What was printed counts only if it arrived: a full disk or a closed pipe is a failure.
+// Checks that the output arrived: a full disk or a closed pipe is a failure.
 ExitCode finish_output(ExitCode code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
   return code == ExitCode::done ? tell({ExitCode::system_failed, "standard output cannot be written to"}) : code;

@@ -15,7 +15,7 @@ namespace percuss {
 /// SystemError, the same on all ranks.
 Deck read_deck_together(const Command& command, const Communicator& ranks);
 
-/// What code of a user gets of a run with this deck that writes to this folder.
+/// Data for code of a user of a run with this deck that writes to this folder.
 UserRun describe_run(const std::string& deck, const std::string& folder, const Communicator& ranks);
 
 }  // namespace percuss

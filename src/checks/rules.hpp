@@ -11,7 +11,7 @@ namespace percuss {
 
 /// A rule by its name; a deck silences it by `silence`.
 struct CheckRule {
-  /// What must be known of the scene: CheckedScene::deck, measures too, or all of it.
+  /// Part of the scene that a rule needs: CheckedScene::deck, measures too, or all of it.
   enum class Needs { deck, mesh, start };
 
   std::string name;
@@ -22,11 +22,11 @@ struct CheckRule {
 /// All of them, by subject.
 const std::vector<CheckRule>& check_rules();
 
-/// What the rules on the deck find, and, where scene.measures is known, those on the mesh: in the order of the table,
+/// Findings of the rules on the deck, and, where scene.measures is known, those on the mesh: in the order of the table,
 /// what the deck silences included.
 std::vector<Warning> check_input(const CheckedScene& scene);
 
-/// What the rules on the state at the start find, of which check_input() knows nothing. All of the scene is known.
+/// Findings of the rules on the state at the start, of which check_input() knows nothing. All of the scene is known.
 std::vector<Warning> check_start(const CheckedScene& scene);
 
 /// How parts move when a run ends.

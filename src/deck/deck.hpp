@@ -29,7 +29,8 @@ struct TimeDeck {
   double end = 0;
   std::string until;  // a sensor that ends the run before; empty: none
   double step_scale = 0.9;
-  /// What is stable: the least bound of an element, or the largest eigenvalue of the mesh, estimated now and then.
+  /// Estimate of the stable step: the least bound of an element, or the largest eigenvalue of the mesh, estimated now
+  /// and then.
   enum class StepEstimate { element, global };
   StepEstimate step_estimate = StepEstimate::element;
   std::optional<MassScalingDeck> mass_scaling;  // of every part

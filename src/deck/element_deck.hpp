@@ -28,7 +28,7 @@ struct ElementDeck {
   double shell_hourglass = 1;    // share of the stiffness of shells against hourglass modes and drilling
 };
 
-/// What a part has instead of the members of ElementDeck with the same names.
+/// Values of a part instead of the members of ElementDeck with the same names.
 struct PartElementDeck {
   std::optional<ElementDeck::Integration> integration;
   std::optional<ElementDeck::Across> across;

@@ -19,7 +19,7 @@ struct JoinDeck {
   std::vector<std::string> sides{};  // "part/side": only nodes of these, of the parts that have some here
 };
 
-/// What turns a part into its mirror image or a copy, after it stands in its place.
+/// Change of a part into its mirror image or a copy, after it is placed.
 struct PartImage {
   enum class Kind { mirror, turn, shift };
   Kind kind = Kind::shift;
@@ -56,7 +56,8 @@ struct PatternDeck {
 
 /// Parts that are turned and moved together before the run: something of them is lowest, and they rest on something.
 struct PlaceDeck {
-  /// What is lowest, with the mass centre above it: of the box of the parts by its direction, or of a set by its name.
+  /// Lowest corner, edge or face, with the mass centre above it: of the box of the parts by its direction, or of a set
+  /// by its name.
   struct Lowest {
     enum class Kind { corner, edge, face };
     Kind kind = Kind::corner;

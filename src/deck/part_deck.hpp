@@ -69,8 +69,8 @@ struct PlyDeck {
 };
 
 struct PartDeck {
-  /// What the cells of a generated solid are: hexahedra, or twelve, six or five tetrahedra, two wedges or six pyramids
-  /// each.
+  /// Elements that the cells of a generated solid become: hexahedra, or twelve, six or five tetrahedra, two wedges or
+  /// six pyramids each.
   enum class Elements { hexahedra, tetrahedra, six_tetrahedra, five_tetrahedra, wedges, pyramids };
   std::string name;
   Shape shape;

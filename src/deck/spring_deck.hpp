@@ -81,7 +81,7 @@ struct EmbeddedDeck {
   Place place;
 };
 
-/// What two rigid bodies, or one and the ground, have in common.
+/// Joint of two rigid bodies, or of one and the ground.
 struct JointDeck {
   enum class Kind { spherical, revolute, cylindrical, translational, planar, universal, fixed, screw };
   std::string name;
@@ -106,7 +106,7 @@ struct TurnLawDeck {
   std::optional<double> hold_stiffness;               // of friction that sticks, and of stops [moment / angle]
 };
 
-/// What resists the turn of a second rigid body against a first one, by three angles.
+/// Resistance against the rotation of a second rigid body relative to a first one, by three angles.
 struct TurnSpringDeck {
   std::string name;
   std::vector<std::string> bodies;

@@ -31,7 +31,7 @@ struct PreloadDeck {
   Place place;
 };
 
-/// What a file can have of elements, but for velocities of nodes.
+/// Quantities that a file can have: of elements, but for velocities of nodes.
 enum class StartQuantity { stress, plastic_strain, temperature, velocity };
 
 /// A file of stresses of elements or velocities of nodes at time 0, by the user's ids.

@@ -88,7 +88,7 @@ double find_displacement(const ImperfectionDeck& imperfection, const Vec3& place
   return noise.amplitude * (noise.length ? find_noise(place, *noise.length, seed) : find_noise(id, seed));
 }
 
-/// What is reported of an entry, and what is wrong with it; of all ranks once merged.
+/// Report and fault of an entry; of all ranks once merged.
 struct Outcome {
   double largest = 0;
   double size = 0;  // longest edge of the box of its nodes

@@ -32,7 +32,7 @@ struct PartJoint {
   double farthest = 0;  // that a node of either was from where both are now [length]; 0: they were one from the start
 };
 
-/// What erosion has left of a mesh, the same on all ranks that hold it together (src/step/erosion.hpp).
+/// Remainder of a mesh after erosion, the same on all ranks that hold it together (src/step/erosion.hpp).
 struct ErodedMesh {
   enum NodeState : std::uint8_t { held, particle, vanished };  // by a living element; by none, but there; gone
 

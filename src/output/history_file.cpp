@@ -163,7 +163,7 @@ void HistoryFile::cut_to_last_row(std::string_view rows) {
   }
 }
 
-/// What a reader finds behind compared_ must be what was written there.
+/// Checks that a reader finds behind compared_ what was written there.
 void HistoryFile::compare() const {
   std::uint64_t found = empty_hash;
   std::string part;

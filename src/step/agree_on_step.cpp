@@ -1,4 +1,4 @@
-// What the ranks agree on after a step, and the step that follows from it.
+// Agreement of the ranks after a step, and the step that follows from it.
 
 #include <algorithm>
 #include <cmath>

@@ -20,7 +20,7 @@ struct Actions {
   ForceBooks* forces = nullptr;
 };
 
-/// What the scene has. All arguments outlive the actions. Collective; throws InputError as the constructors do.
+/// The actions of the scene. All arguments outlive the actions. Collective; throws InputError as the constructors do.
 Actions make_actions(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact);
 
 }  // namespace percuss

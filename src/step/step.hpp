@@ -20,7 +20,7 @@
 
 namespace percuss {
 
-/// What a rank knows after its elements, and all ranks after the one reduction of a step.
+/// Findings of a rank after its elements, and of all ranks after the one reduction of a step.
 struct StepNotice {
   static constexpr std::int64_t none = INT64_MAX;
   double step = std::numeric_limits<double>::infinity();
@@ -39,7 +39,7 @@ struct StepNotice {
   void merge(const StepNotice& other);
 };
 
-/// What a rank wants of the run after the step; what one wants, all do.
+/// Requests of a rank after the step; if one rank requests it, all do it.
 struct StepWishes {
   bool stop = false;
   bool checkpoint = false;
@@ -56,7 +56,7 @@ class Stepper {
   /// Evaluates the elements and loads at time 0 and chooses the first step.
   void start(State& state, StepWishes wishes = {});
 
-  /// What the stepper remembers from step to step, its contact stage included. Collective.
+  /// Archives the state of the stepper from step to step, its contact stage included. Collective.
   void archive(CheckpointArchive& archive);
 
   /// Adds, before start(), an action before all others, which outlives this.
@@ -66,8 +66,8 @@ class Stepper {
   /// deck may have changed. archive() has been called.
   void resume(State& state);
 
-  /// What the actions remember, and what the state has of them. Before nodes vanish from a state of a checkpoint.
-  /// Collective.
+  /// Archives the state of the actions, and what the state has of them. Before nodes vanish from a state of a
+  /// checkpoint. Collective.
   void archive_actions(CheckpointArchive& archive, State& state);
 
   /// Drops what acts on nodes and faces that have vanished, and computes the forces at n without it. Collective.
@@ -76,7 +76,7 @@ class Stepper {
   /// Sets the switches after State::happened has come from a checkpoint. Collective.
   void set_switches(State& state);
 
-  /// What sensors have seen by now, which switches loads and conditions from n on. Collective.
+  /// Switches loads and conditions from n on, by the events of sensors. Collective.
   void switch_now(State& state, const std::vector<char>& happened);
 
   Bookkeeper& bookkeeper() { return bookkeeper_; }
@@ -88,7 +88,7 @@ class Stepper {
   /// advanced.
   void advance(State& state, StepWishes wishes = {});
 
-  /// What any rank wanted by the last step, the same on all ranks.
+  /// Requests of any rank by the last step, the same on all ranks.
   bool is_stop_agreed() const { return agreed_.stop; }
   bool is_checkpoint_agreed() const { return agreed_.checkpoint; }
   bool is_frame_agreed() const { return agreed_.frame; }

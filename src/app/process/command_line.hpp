@@ -9,7 +9,7 @@
 
 namespace percuss {
 
-/// What `percuss plan` assumes of the machine and of the run; the defaults are explained in docs/plan.md.
+/// Figures of the machine and of the run for `percuss plan`; the defaults are explained in docs/plan.md.
 struct PlanFigures {
   double latency = 2e-6;          // of a message [s]
   double bandwidth = 1e9;         // of a rank [byte/s]

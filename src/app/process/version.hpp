@@ -5,8 +5,8 @@
 
 namespace percuss {
 
-/// What `percuss --version` prints, in lines: version and back end; commit, where the sources were a checkout when it
-/// was built, and whether they were changed; compiler and options; libraries.
+/// Text of `percuss --version`, in lines: version and back end; commit, where the sources were a checkout when it was
+/// built, and whether they were changed; compiler and options; libraries.
 std::string describe_version();
 
 }  // namespace percuss

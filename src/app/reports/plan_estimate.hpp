@@ -37,7 +37,7 @@ struct Spread {
   double imbalance() const { return mean > 0 ? most / mean : 1; }
 };
 
-/// What the ranks have and send in a step; messages and bytes are means over the steps between two searches.
+/// Loads and messages of the ranks in a step; messages and bytes are means over the steps between two searches.
 struct RankSpreads {
   Spread chunks, elements, work, shared_nodes, neighbours, halo_messages, halo_bytes;
   Spread contact_points, contacts, contact_messages, contact_bytes, memory;  // work [hexahedra]; memory [byte]

@@ -122,7 +122,7 @@ std::string describe_holding(const Deck& deck, int condition) {
   return "rigid.fixed at " + deck.where(deck.places.find("parts." + part + ".rigid.fixed"));
 }
 
-/// What a pressure would do to a sheet that it acts on, were it free, by its impulse; empty: no more than waves do.
+/// Describes what the impulse of a pressure would do to its sheet, were it free; empty: no more than waves do.
 std::string describe_thrust(const CheckedScene& scene, const PressureDeck& load, double largest) {
   if (scene.measures == nullptr) return "";
   double impulse = 0;  // by area

@@ -13,7 +13,7 @@ namespace {
 
 const std::string& name_part(const Deck& deck, int part) { return deck.parts[static_cast<std::size_t>(part)].name; }
 
-/// What an overlap is to be compared with: the shortest edge of either part, or the thickness of shells.
+/// Size that an overlap is compared with: the shortest edge of either part, or the thickness of shells.
 double find_contact_size(const CheckedScene& scene, const PartOverlap& overlap) {
   double size = scene.measures->parts[static_cast<std::size_t>(overlap.part)].shortest_edge;
   for (const int part : {overlap.part, overlap.other}) {

@@ -126,7 +126,7 @@ int find_flat_axis(const PartMeasures& part) {
   return -1;
 }
 
-/// What acts along an axis on a part that is flat across it; empty: nothing.
+/// Load along an axis on a part that is flat across it; empty: nothing.
 std::string find_load_across(const Deck& deck, std::size_t part, std::size_t axis) {
   for (const PressureDeck& pressure : deck.pressures) {
     const std::vector<std::size_t> parts = find_named_parts(deck, pressure.where);

@@ -54,7 +54,7 @@ std::string find_join_path(const Deck& deck, const std::string& a, const std::st
   return "";
 }
 
-/// What holds two parts together: beams or a preloaded part that both share nodes with.
+/// Fasteners of two parts: beams or a preloaded part that both share nodes with.
 class Fasteners {
  public:
   explicit Fasteners(const CheckedScene& scene) : scene_(scene) {}

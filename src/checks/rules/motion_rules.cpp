@@ -1,4 +1,4 @@
-// What moves nothing, and bodies that meet nothing or pass through each other.
+// Motions without effect, and bodies that meet nothing or pass through each other.
 
 #include <algorithm>
 #include <cmath>

@@ -97,7 +97,7 @@ double find_friction(const Deck& deck) {
   return most;
 }
 
-/// What a load may pull a part along from the start, with friction: "walls.0", "part 'plate'"; empty: nothing.
+/// Surface along which a load may pull a part from the start, with friction: "walls.0", "part 'plate'"; empty: nothing.
 std::string find_slope(const CheckedScene& scene, const Neighbours& neighbours, std::size_t part, const Vec3& force) {
   const Deck& deck = scene.deck;
   for (std::size_t w = 0; w < deck.walls.size(); ++w) {

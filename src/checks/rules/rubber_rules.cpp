@@ -12,7 +12,7 @@ namespace {
 
 using Logs = std::array<double, 3>;  // of the principal stretches
 
-/// What the Kirchhoff stresses gain by the logarithms of the stretches: diag(own) + volume everywhere.
+/// Derivatives of the Kirchhoff stresses by the logarithms of the stretches: diag(own) + volume everywhere.
 struct Tangent {
   std::array<double, 3> own{};
   std::optional<double> volume;  // none: the volume does not change

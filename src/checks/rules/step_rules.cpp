@@ -1,4 +1,4 @@
-// What each part asks of the step.
+// Step bounds by part.
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-// What holds parts: supports of a few nodes, held parts with the velocity of another, beams that hang on nothing.
+// Supports of parts: those of a few nodes, held parts with the velocity of another, beams that hang on nothing.
 
 #include <algorithm>
 #include <cmath>

@@ -10,8 +10,8 @@ namespace percuss {
 /// `known` are the keys of its map. Letter case is ignored.
 std::string find_foreign_key(const std::string& key, const std::vector<std::string>& known);
 
-/// What to do instead of giving a material a model of other codes: "set parts.NAME.rigid: true" for rigid; empty: no
-/// such model is known.
+/// Remedy where a material has a model of other codes: "set parts.NAME.rigid: true" for rigid; empty: no such model is
+/// known.
 std::string find_foreign_model(const std::string& model);
 
 }  // namespace percuss

@@ -8,7 +8,7 @@ namespace percuss {
 
 namespace {
 
-/// What stands behind the comma of {end: 1,5} is a key without a value in YAML.
+/// Whether a key is all digits: in {end: 1,5} YAML reads what stands behind the comma as a key without a value.
 bool is_digits(const std::string& text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }

@@ -87,7 +87,7 @@ struct ChoiceValue {
   Form form() const { return word_form(words()); }
 };
 
-/// What to say of a list that is longer than it must be because decimal commas have cut its numbers; or nothing.
+/// Hint for a list that is longer than it must be because decimal commas have cut its numbers; or nothing.
 std::string comma_hint(const Node& list, std::size_t wanted);
 
 /// Exactly N values of one kind, [x, y, z].

@@ -5,7 +5,7 @@
 
 namespace percuss {
 
-/// What is wrong with the file; empty: it is whole, or no shared library of this machine, which the loader finds out.
+/// Fault of the file; empty: it is whole, or no shared library of this machine, which the loader finds out.
 std::string find_library_fault(const std::string& file);
 
 }  // namespace percuss

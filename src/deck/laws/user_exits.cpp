@@ -74,7 +74,8 @@ void end_at_signal(int number) {
 
 void set_end_of_ranks(std::function<void()> end) { end_of_ranks() = std::move(end); }
 
-// What broke may hold the locks of memory and of files: the message needs neither, and the rest has ten seconds.
+// Ends all ranks. Broken code may hold the locks of memory and of files: the message needs neither, and the rest has
+// ten seconds.
 void end_by_user_code(const char* library, const char* how) {
   static std::atomic<bool> has_ended = false;
   running_library = nullptr;

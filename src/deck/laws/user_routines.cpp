@@ -95,7 +95,7 @@ std::mutex* find_lock(const int* id) {
   return *id >= 1 && *id <= most_locks ? &locks[static_cast<std::size_t>(*id - 1)] : nullptr;
 }
 
-/// What VGETVRM tells of the points that this thread is at; the status: 0, or 1 where there is no such quantity.
+/// Copies what VGETVRM returns for the points of this thread; the status: 0, or 1 where there is no such quantity.
 int copy_quantity(const std::string& library, const std::string& quantity, double* values) {
   if (asked_points != nullptr && asked_points->tell(quantity, values)) return 0;
   const std::string text =

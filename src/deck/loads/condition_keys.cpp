@@ -127,7 +127,8 @@ void note_turn(ConditionDeck& condition) {
   for (std::size_t k = 0; k < 3; ++k) condition.active[k] = k != condition.turn->axis;
 }
 
-/// What holds no body: its nodes are not all on one plane, and it turns about its centre.
+/// Checks a condition of a body against kinds that hold none: its nodes are not all on one plane, and it turns about
+/// its centre.
 bool check_condition_of_body(const Reader& reader, const std::string& name, const Node& node,
                              const ConditionDeck& condition) {
   if (find_body(condition.where).empty()) return true;

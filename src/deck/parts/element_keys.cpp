@@ -207,7 +207,8 @@ void check_one_point(const Reader& reader, const Node& node, const PartDeck& par
                                        reader.name_of("hourglass"), reader.in(), elements));
 }
 
-/// What has no hexahedra has no hourglass modes; shells and beams have no bulk viscosity either.
+/// Checks keys by the kind of element: a part without hexahedra has no hourglass modes; shells and beams have no bulk
+/// viscosity either.
 void check_kind(const Reader& reader, const Node& node, const PartDeck& part) {
   if (std::holds_alternative<FileMesh>(part.shape)) return;
   const bool is_shell = is_shell_shape(part.shape);

@@ -129,7 +129,7 @@ class PartCopier {
     deck_.parts.push_back(std::move(part));
   }
 
-  /// What of the part stands in space or has directions that the image would not follow.
+  /// Key of the part that gives a place or directions in space that the image would not follow.
   std::string find_obstacle(const PartDeck& part, const PartImage& image) const {
     if (part.rigid && (part.rigid->center || part.rigid->inertia))
       return "rigid.center or rigid.inertia (of one place)";

@@ -18,7 +18,7 @@ struct RigidValue {
 
 NamedMapValue<RigidSetDeck, MapValue<RigidSetDeck>> rigid_sets_value();
 
-/// What rigid parts and sets must have in common, and what they exclude.
+/// Checks what rigid parts and sets must have in common, and what they exclude.
 void check_rigid(const Deck& deck, const Node& root, Reading& reading);
 
 }  // namespace percuss

@@ -6,7 +6,7 @@
 
 namespace percuss {
 
-/// What must hold between sections: names that exist, a size that can be run, curves that stay finite.
+/// Checks what must hold between sections: names that exist, a size that can be run, curves that stay finite.
 void check_deck(const Deck& deck, const Node& root, Reading& reading);
 
 }  // namespace percuss

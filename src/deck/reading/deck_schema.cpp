@@ -65,7 +65,7 @@ Json write_tuple(const Form& form, const std::string& path) {
   return json;
 }
 
-/// What else must hold in a map whose chooser has the word of this case.
+/// Further rules of a map whose chooser has the word of this case.
 Json write_case(const std::string& chooser, const FormCase& one) {
   Json then;
   then["propertyNames"] = {{"enum", one.keys}};

@@ -43,8 +43,8 @@ Node parse_tree(std::string text, const std::string& file, const std::vector<std
   return *std::move(root);
 }
 
-/// What parts of fluids have where the deck says nothing of it: viscous hourglass control with a coefficient of their
-/// own, for any other holds them in their shape. Before check_deck(), which judges what stands beside it.
+/// Sets the elements of fluids where the deck does not: viscous hourglass control with a coefficient of their own, for
+/// any other holds them in their shape. Before check_deck(), which judges what stands beside it.
 void settle_fluid_elements(const Node& root, Deck& deck) {
   // With 40 elements a wave, waves of real water lose 3 % of their height in each period with 0.05, a twentieth of that
   // with this.

@@ -20,7 +20,7 @@ namespace {
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
-// What is wrong with the character at i; empty if nothing. `length` is its length in bytes.
+// Fault of the character at i; empty if there is none. `length` is its length in bytes.
 std::string find_fault(std::string_view text, std::size_t i, std::size_t& length) {
   const auto c = static_cast<unsigned char>(text[i]);
   length = decode_utf8(text.substr(i)).bytes;

@@ -10,7 +10,7 @@
 
 namespace percuss {
 
-/// What some editors put before the text of a file in UTF-8.
+/// Mark that some editors put before the text of a file in UTF-8.
 inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 /// The cell without blanks, tabs and returns at both ends.

@@ -67,7 +67,7 @@ class MeshFile {
   virtual int find_face(const Topology& topology, std::int64_t side) const = 0;
   /// Kinds of elements of this format that can be run: "HEX8, SHELL4, ...".
   virtual std::string list_kinds() const = 0;
-  /// What the file has that is no mesh, or that is not read, in words.
+  /// Notes on content of the file that is no mesh, or that is not read.
   virtual std::vector<std::string> notes() const { return {}; }
 };
 

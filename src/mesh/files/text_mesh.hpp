@@ -12,7 +12,7 @@
 
 namespace percuss {
 
-/// What the file holds. Nodes, elements and blocks count from 1, as MeshFile has them.
+/// Content of the file. Nodes, elements and blocks count from 1, as MeshFile has them.
 struct TextContents {
   std::string kinds;  // of elements that can be run
   std::vector<Vec3> nodes;

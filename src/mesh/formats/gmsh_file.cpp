@@ -53,7 +53,7 @@ std::string list_gmsh_kinds() {
          "8-node hexahedra";
 }
 
-/// What a group of a dimension is called where it has no name.
+/// Names of groups by dimension, where they have none.
 constexpr std::array<const char*, 4> group_words = {"points", "curve", "sides", "block"};
 
 /// An entity or a group of entities.

@@ -109,7 +109,7 @@ class IdsOfKind {
 
   void assign() { allotment_.assign(); }
 
-  /// What add() took for the parts at this place; lowest: id of their mesh, before they are raised.
+  /// Gives the parts at this place what add() took; lowest: id of their mesh, before they are raised.
   void give(const std::vector<std::size_t>& parts, std::size_t place, std::int64_t lowest) {
     for (const std::size_t p : parts) scene_.parts[p].*first_ = allotment_.first_id(place);
     if (parts.size() == 1) {

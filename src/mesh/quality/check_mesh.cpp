@@ -151,7 +151,7 @@ std::string describe_verdict(const std::string& element, std::span<const std::in
       element, verdict.corner + 1, node_ids[static_cast<std::size_t>(verdict.corner)], verdict.value);
 }
 
-/// What is wrong with the shape of a shell; empty if nothing.
+/// Fault of the shape of a shell; empty if there is none.
 std::string judge_shell(const std::string& element, const ElementCorners& x, std::span<const std::int64_t> node_ids) {
   const Vec3 normal = find_shell_area(x);
   const double area = std::sqrt(dot(normal, normal));

@@ -52,7 +52,7 @@ inline std::int64_t id_of(const std::vector<std::int64_t>& ids, std::size_t inde
 /// Corners must be valid node indexes.
 void check_connectivity(const PartMesh& mesh, Problems& problems);
 
-/// What is wrong with the places of a part's nodes and with the shapes of its elements, gathered one by one.
+/// Faults of the places of a part's nodes and with the shapes of its elements, gathered one by one.
 struct GeometryFindings {
   Problems nodes, elements;
   std::size_t flat_corners = 0;  // elements with a corner whose Jacobian is zero

@@ -15,8 +15,8 @@ namespace percuss {
 
 class CollapsedElements {
  public:
-  /// What a hexahedron is that becomes this element of the part; nodes: of the file, in and out. One with nodes that
-  /// stand twice in a way that makes no other solid stays as it is, and is refused later.
+  /// Kind of element that a hexahedron becomes in the part; nodes: of the file, in and out. One with nodes that stand
+  /// twice in a way that makes no other solid stays as it is, and is refused later.
   TopologyKind collapse(int element, std::vector<int>& nodes) {
     const std::vector<std::int64_t> ids(nodes.begin(), nodes.end());
     std::vector<std::int64_t> sorted = ids;

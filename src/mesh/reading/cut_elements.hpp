@@ -42,8 +42,8 @@ class CutElements {
   std::vector<int> first_;  // ascending
 };
 
-/// What the id of an element is raised by for each of its pieces after the first: a power of ten above all ids of the
-/// file. None: ids of pieces would be above the highest.
+/// Increment of the id of an element for each of its pieces after the first: a power of ten above all ids of the file.
+/// None: ids of pieces would be above the highest.
 std::optional<std::int64_t> find_piece_stride(const std::vector<std::int64_t>& ids, std::int64_t highest);
 
 }  // namespace percuss

@@ -15,8 +15,8 @@ bool has_results_format(const std::string& path);
 /// has no such time, or names a time without having any; SystemError.
 FileResults read_file_results(const std::string& path, const ResultsWish& wish);
 
-/// What a mesh file has of results; nothing of other formats. Exodus II is read at once: call in a process of its own
-/// first. Throws InputError if the results are damaged; SystemError.
+/// Results in a mesh file; none of other formats. Exodus II is read at once: call in a process of its own first. Throws
+/// InputError if the results are damaged; SystemError.
 ResultsContents read_results_contents(const std::string& path);
 
 }  // namespace percuss

@@ -11,7 +11,7 @@ namespace {
 /// A pack of 8 lanes costs the same however many of them are used.
 constexpr int pack_lanes = 8;
 
-/// What a chunk's copy of a node (gathered, scattered, summed, exchanged) costs, as a share of an element.
+/// Cost of a chunk's copy of a node (gathered, scattered, summed, exchanged), as a share of an element.
 constexpr double copy_cost = 0.1;
 
 /// How much the shape counts beside that: tiles of twice the least surface cost so much more.

@@ -17,8 +17,8 @@ struct SolidOfNodes {
   std::vector<std::int64_t> nodes;
 };
 
-/// What a hexahedron with these nodes at its corners is: a wedge where two parallel edges of a face are of no length, a
-/// pyramid where a face is a point, a tetrahedron where an edge of the opposite face is of no length as well (that
+/// Solid of a hexahedron with these nodes at its corners: a wedge where two parallel edges of a face are of no length,
+/// a pyramid where a face is a point, a tetrahedron where an edge of the opposite face is of no length as well (that
 /// face may also be bent about three of its corners, the fourth of which is the apex). None of these: nothing.
 std::optional<SolidOfNodes> collapse_hexahedron(std::span<const std::int64_t> nodes);
 

@@ -47,9 +47,9 @@ struct Topology {
   std::array<std::array<int, 2>, most_edges> edge_table{};  // of a surface around it, along its normal
   /// The three corners of a solid that an edge joins to each, right-handed.
   std::array<std::array<int, 3>, most_corners> corner_edges{};
-  /// What kernels see: the corners, then some of them again if there are fewer.
+  /// Corners as kernels see them: all, then some of them again if there are fewer.
   std::array<int, kernel_corner_count> kernel_corners{};
-  /// What each corner has of the mass of an element, in eighths; zeros: all have equal shares.
+  /// Share of each corner in the mass of an element, in eighths; zeros: all have equal shares.
   std::array<double, most_corners> mass_eighths{};
   std::uint8_t vtk_type = 0;                                          // VTKCellType
   std::array<int, most_corners> vtk_corners{0, 1, 2, 3, 4, 5, 6, 7};  // in the order of VTK and XDMF
@@ -70,7 +70,7 @@ struct Topology {
   constexpr bool is_line() const { return dimension == 1; }
   constexpr bool is_solid() const { return dimension == 3; }
 
-  /// What one of the corners that kernels see has of the mass of an element, in eighths: the share of the corner,
+  /// Share of one of the corners that kernels see in the mass of an element, in eighths: the share of the corner,
   /// divided over its places.
   constexpr double find_mass_share(std::size_t place) const {
     int count = 0;

@@ -241,7 +241,7 @@ void CheckpointWriter::trim() {
   disk_.trim(bytes);
 }
 
-/// What a restart would read must be what the state in memory is.
+/// Checks that a restart would read the state in memory.
 void CheckpointWriter::compare() const {
   const hdf5::QuietErrors quiet;
   ranks_.barrier();  // all have closed it

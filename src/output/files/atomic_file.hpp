@@ -22,7 +22,7 @@ void sync_folder_of(const std::string& path);
 /// "cannot ACTION 'PATH' (REASON): SUGGESTION" for an errno of the system.
 SystemError make_io_error(std::string_view action, const std::string& path, int error_number);
 
-/// What a user can do about an errno (": free some space, ..."); empty if nothing is known.
+/// Remedy for an errno (": free some space, ..."); empty if nothing is known.
 std::string suggest_for_errno(int error_number);
 
 }  // namespace percuss

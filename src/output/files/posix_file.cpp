@@ -28,8 +28,8 @@ double find_longest_wait() {
   return end != text && *end == '\0' && seconds >= 0 && seconds <= longest_wait_asked ? seconds : usual_wait;
 }
 
-/// What is done where a disk is full: it is tried again every second until there is room, the wait is over or a signal
-/// comes. A warning tells of the wait.
+/// Handles a full disk: writing is tried again every second until there is room, the wait is over or a signal comes. A
+/// warning tells of the wait.
 class WaitForSpace {
  public:
   explicit WaitForSpace(const std::string& name) : name_(name) {}

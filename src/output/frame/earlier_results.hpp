@@ -14,7 +14,7 @@
 
 namespace percuss {
 
-/// What a file of this mesh must have so that a run continues behind its first `frames`.
+/// Counts that a file of this mesh must have so that a run continues behind its first `frames`.
 FramesInFile find_kept(const ChunkedMesh& chunked, std::int64_t frames);
 
 /// Looks at the file and changes nothing. fields: names of the fields that every frame will have. Returns the times of

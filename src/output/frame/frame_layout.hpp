@@ -16,7 +16,7 @@ struct FramesInFile {
   hsize_t nodes = 0, elements = 0;  // of the mesh
 };
 
-/// What the names of the files of an output of fields begin with: "fields", of one with a name "fields_NAME".
+/// Begin of the names of the files of an output of fields: "fields", of one with a name "fields_NAME".
 inline std::string name_fields(const std::string& output) { return output.empty() ? "fields" : "fields_" + output; }
 
 /// file: an open HDF5 file. All functions throw hdf5::Error.

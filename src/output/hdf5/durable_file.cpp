@@ -108,7 +108,7 @@ void DurableFile::append_frame(const FrameWork& work) {
 
 void DurableFile::flush() { check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "flush the file"); }
 
-// What a reader finds must be what was written since this was called last, behind the frames of which the file tells.
+// Checks that a reader finds what was written since the last call, behind the frames of which the file tells.
 void DurableFile::compare() {
   ranks_.barrier();  // all have flushed it
   const auto read_back = [&] {

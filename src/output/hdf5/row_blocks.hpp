@@ -22,7 +22,7 @@ class RowBlocks {
   RowBlocks(const Communicator& ranks, const std::vector<int>& owned, std::span<const std::int64_t> numbers,
             std::int64_t all);
 
-  /// What this rank writes of a dataset that holds `rows` rows for an item.
+  /// Rows that this rank writes of a dataset that holds `rows` rows for an item.
   hdf5::RowBlock block(int rows = 1) const;
 
   /// The rows of the block, from the local rows [local items][components] of every rank. The answer is valid until the

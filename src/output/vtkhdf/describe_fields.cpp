@@ -25,7 +25,7 @@ using hdf5::Handle;
 using hdf5::open_group;
 using hdf5::read_rows;
 
-// What the description says of a field: its range in a frame, the magnitude's for a vector.
+// Describes a field: its range in a frame, the magnitude's for a vector.
 std::string describe_range(std::span<const double> values, hsize_t components) {
   double low = HUGE_VAL, high = -HUGE_VAL;
   std::size_t not_finite = 0;

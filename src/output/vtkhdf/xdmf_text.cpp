@@ -161,7 +161,7 @@ void write_grid(Out out, const XdmfIndex& index, const Grid& grid, const std::st
   fmt::format_to(out, " </Grid>\n");
 }
 
-// What applies to all grids, for people and for programs that look for it: readers of XDMF pass over it.
+// Writes what applies to all grids, for people and for programs that look for it: readers of XDMF pass over it.
 void write_information(Out out, const XdmfIndex& index) {
   const auto write = [&](const std::string& name, const std::string& value) {
     fmt::format_to(out, "  <Information Name=\"{}\" Value=\"{}\"/>\n", name, escape_xml(value));

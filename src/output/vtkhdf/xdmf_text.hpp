@@ -11,7 +11,7 @@
 
 namespace percuss {
 
-/// What the index must know of a field that every frame has.
+/// A field that every frame has, for the index.
 struct XdmfField {
   std::string name;
   FieldPlace place = FieldPlace::node;

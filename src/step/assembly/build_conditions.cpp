@@ -84,7 +84,7 @@ class HeldDirectionFinder {
     return std::move(held_);
   }
 
-  /// What conditions hold, for the rigid bodies among their nodes; after the call.
+  /// Motions held by conditions, for the rigid bodies among their nodes; after the call.
   const std::vector<HeldByCondition>& motions() const { return motions_; }
 
  private:

@@ -45,7 +45,7 @@ Rows3<double> sum_by_slot(const Model& model, const Elements& elements,
   return by_slot;
 }
 
-/// What nodes get of their elements, as forces are summed: so every copy of a node has the same bits.
+/// Sums the masses of nodes over their elements, as forces are summed: so every copy of a node has the same bits.
 template <std::size_t columns>
 Rows3<double> sum_by_node(const Model& model, const Elements& elements,
                           const std::vector<std::array<double, columns>>& values) {

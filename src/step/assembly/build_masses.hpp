@@ -17,7 +17,7 @@ std::vector<double> build_masses(const Deck& deck, const ChunkedMesh& chunked, M
 /// same inertia about every axis. Collective.
 void build_spin_tensors(const Deck& deck, const ChunkedMesh& chunked, Model& model);
 
-/// What rigid bodies get of their nodes. mass: [nodes] of build_masses(), outlives the answer. Collective.
+/// Masses of rigid bodies by their nodes. mass: [nodes] of build_masses(), outlives the answer. Collective.
 RigidMasses find_rigid_masses(const Deck& deck, const ChunkedMesh& chunked, const std::vector<double>& mass,
                               const Model& model);
 

@@ -15,7 +15,7 @@
 namespace percuss {
 namespace {
 
-/// What unit pressure along a direction puts on each corner of a face: a quarter of the area.
+/// Force on each corner of a face by unit pressure along a direction: a quarter of the area.
 Vec3 find_dead_share(const Mesh& mesh, const std::array<int, 4>& nodes, const Vec3& direction) {
   const auto corner = [&](std::size_t i) { return mesh.nodes[static_cast<std::size_t>(nodes[i])]; };
   const Vec3 twice = cross(subtract(corner(2), corner(0)), subtract(corner(3), corner(1)));

@@ -30,7 +30,7 @@ std::vector<BookedPart> find_booked_blocks(const Deck& deck) {
   return blocks;
 }
 
-/// What each chunk gives to the lumped mass and the rotary inertia of its nodes, in the first two columns.
+/// Part of each chunk in the lumped mass and the rotary inertia of its nodes, in the first two columns.
 Rows3<double> sum_masses_by_slot(const ChunkedMesh& chunked, const Model& model, const State& state) {
   const Rows3<double> by_slot("percuss::masses_by_slot", static_cast<std::size_t>(model.slot_count));
   const auto host = Kokkos::create_mirror_view(by_slot);

@@ -9,7 +9,7 @@
 namespace percuss {
 namespace {
 
-/// What nodes that get mass bring: m' - m moves with their velocity, and so does rotary inertia.
+/// Momentum and energy that nodes with added mass bring: m' - m moves with their velocity, and so does rotary inertia.
 struct AddedToNodes {
   Rows3<double> lumped, x, v, start, inverse_mass, w;
   Array<double> mass;

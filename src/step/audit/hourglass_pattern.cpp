@@ -112,7 +112,7 @@ void for_each_side(const Mesh& mesh, int element, const Use& use) {
     for (const auto& edge : topology.edges()) visit(edge);
 }
 
-/// What changes sign across an element, at a corner of its side.
+/// Part of the motion that changes sign across an element, at a corner of its side.
 Vec3 find_odd_part(const HourglassDisplacement& motion, const Side& side, std::size_t i) {
   Vec3 odd{};
   add_to(odd, 0.5, motion.of_corners[static_cast<std::size_t>(side.corners[i])]);

@@ -12,7 +12,7 @@
 
 namespace percuss {
 
-/// What the corners of an element have moved besides a linear field.
+/// Displacement of the corners of an element besides a linear field.
 struct HourglassDisplacement {
   std::array<Vec3, most_corners> of_corners{};
   double square = 0;  // sum over the corners [length^2]

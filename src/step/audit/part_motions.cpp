@@ -13,7 +13,7 @@
 namespace percuss {
 namespace {
 
-/// What is summed over the nodes of a chunk, and of a part.
+/// Sums over the nodes of a chunk, and of a part.
 struct MotionSum {
   enum : int { mass, displacement, velocity = displacement + 3, count = velocity + 3 };
 };

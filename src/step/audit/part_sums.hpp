@@ -20,7 +20,7 @@ struct BookedPart {
   bool resists_folding = false;  // if so, it has a column of the work against folding
 };
 
-/// What is summed of each part or block; some have columns only where it can fail, or resists folding.
+/// Sums of each part or block; some have columns only where it can fail, or resists folding.
 struct PartSum {
   enum : int {
     kinetic,

@@ -14,7 +14,7 @@ namespace percuss {
 
 namespace {
 
-/// What may be missing of an equation, as a share of the largest speed, and how long this is sought.
+/// Tolerated residual of an equation, as a share of the largest speed, and most iterations.
 constexpr ConstraintLimits limits_of_equations{1e-13, 1000};
 /// Residual from which equations and conditions contradict each other.
 constexpr double contradiction = 1e-6;

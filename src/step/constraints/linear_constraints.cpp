@@ -54,7 +54,7 @@ void LinearConstraints::push(std::size_t row, double impulse, std::vector<double
     of_unknowns[at(term->unknown)] += term->factor * impulse;
 }
 
-/// What is missing without impulses, and the diagonal of the system; 0: nothing can move.
+/// Residuals without impulses, and the diagonal of the system; 0: nothing can move.
 void LinearConstraints::start(const std::vector<double>& velocities, const std::vector<double>& inverse_masses,
                               const std::vector<double>& rates) {
   impulse_.assign(velocities.size(), 0);

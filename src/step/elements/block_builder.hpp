@@ -58,7 +58,7 @@ struct KernelMaterial {
 };
 KernelMaterial make_kernel_material(const MaterialDeck& material);
 
-/// What code of a user gets of an element. Throws InputError as find_user_lengths() does.
+/// Data of an element for code of a user. Throws InputError as find_user_lengths() does.
 UserElement describe_to_user(const Deck& deck, const Mesh& mesh, std::size_t element);
 
 /// Adds the chunks of one material to the variant that computes it, and says how long its records are.

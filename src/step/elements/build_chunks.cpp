@@ -110,7 +110,7 @@ std::vector<ElementFamily> list_families(const ChunkedMesh& chunked) {
   return families;
 }
 
-/// What only shells have. On all ranks alike: they know all blocks.
+/// Refuses what only shells have. On all ranks alike: they know all blocks.
 void refuse_plies(const Deck& deck, const Mesh& mesh) {
   for (const ElementBlock& block : mesh.elements.blocks) {
     const MaterialDeck& material = deck.materials[static_cast<std::size_t>(block.material)];

@@ -139,7 +139,7 @@ bool holds_triangle(const ChunkedMesh& chunked, const Chunk& chunk) {
   return false;
 }
 
-/// What the launchers and readers need to know of the records of chunk c.
+/// Layout of the records of chunk c, for launchers and readers.
 template <class Layer>
 void describe_records(const BuiltSection<Layer>& section, std::size_t c, const ChunkRecords& records) {
   const int history = ShellRecord::layers + ShellRecord::stress_count, points = section.rule.count;

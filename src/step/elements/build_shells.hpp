@@ -18,7 +18,7 @@ inline bool is_uncomputed_chunk(const Deck& deck, const Chunk& chunk) {
   return is_uncomputed(deck, static_cast<std::size_t>(chunk.part));
 }
 
-/// What the launchers need to know of each chunk, by chunk; filled by who builds its block.
+/// Layout of the records of each chunk, for the launchers; filled by who builds its block.
 struct ChunkRecords {
   std::vector<int>&record_size, &history, &points, &rule, &parameters, &scalars;
   std::vector<std::size_t>& first_start;  // as in StartHistory

@@ -23,7 +23,7 @@ namespace percuss {
 
 namespace {
 
-/// What its elements are called in messages; null: hexahedra, or no solids.
+/// Name of the elements in messages; null: hexahedra, or no solids.
 const char* name_small_solids(const ElementBlock& block) {
   switch (find_topology(block.topology).family) {
     case ElementFamily::tetrahedra:

@@ -19,7 +19,7 @@ class ElementStage {
   explicit ElementStage(const Model& model);
   ~ElementStage();
 
-  /// What comes before the forces: the stresses that wedges, pyramids and tetrahedra average over nodes. Collective.
+  /// Prepares the forces: the stresses that wedges, pyramids and tetrahedra average over nodes. Collective.
   void prepare(const State& state, const ElementMotion& motion);
 
   /// The forces at n+1 of some chunks into their slots, and those of damping in proportion to stiffness.

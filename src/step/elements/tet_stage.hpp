@@ -14,14 +14,14 @@ class TetStage {
   /// Collective. The model outlives this.
   explicit TetStage(const Model& model);
 
-  /// What comes before the forces: of the mixed form the stresses at n+1 of all chunks, and their averages at the
-  /// nodes. Collective.
+  /// Prepares the forces: of the mixed form the stresses at n+1 of all chunks, and their averages at the nodes.
+  /// Collective.
   void prepare(const State& state, const ElementMotion& motion);
 
   /// The forces of some chunks into their slots.
   void advance(const State& state, const ElementBlocks& blocks, const ElementMotion& motion) const;
 
-  /// What this rank has sent of the rates and stresses of shared nodes.
+  /// Messages of this rank with rates and stresses of shared nodes.
   Traffic traffic() const;
 
  private:

@@ -11,7 +11,7 @@ namespace percuss {
 /// Six exact sums: an impulse and its moment [force x time, force x length x time].
 using ImpulseSums = std::array<ExactSum, 6>;
 
-/// What the conditions give to the nodes of a selector, and to the rigid bodies of which it has all nodes.
+/// Force of the conditions on the nodes of a selector, and to the rigid bodies of which it has all nodes.
 class SupportForce {
  public:
   /// Collective. Throws InputError, on all ranks, if no condition holds one of these nodes or bodies.
@@ -39,8 +39,8 @@ class SupportForce {
   ExactSums<6> sums_{"percuss::support_sums"}, spin_sums_{"percuss::support_spin_sums"};
 };
 
-/// What the elements that a plane cuts at time 0 give to their nodes behind it: the force that the material ahead of
-/// the plane, where its normal points, exerts on that behind. Tension is positive along the normal.
+/// Force of the elements that a plane cuts at time 0 on their nodes behind it: the force that the material ahead of the
+/// plane, where its normal points, exerts on that behind. Tension is positive along the normal.
 ///
 /// Forces of an element on its nodes sum to zero, so those of all elements of a chunk on its nodes behind the plane are
 /// those of the cut ones.

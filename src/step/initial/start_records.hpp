@@ -15,7 +15,7 @@
 
 namespace percuss {
 
-/// What a row of a file gives an element, or a layer of one; null: not that.
+/// Values that a row of a file gives an element, or a layer of one; null: absent.
 struct StartRow {
   std::int64_t layer = 0;  // from 1, the lowest; 0: all of the element
   const double* stress = nullptr;

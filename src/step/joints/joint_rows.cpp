@@ -58,7 +58,7 @@ double find_angle(const Joint& joint, const std::vector<RigidState>& bodies) {
 /// An angle without the whole turns in it.
 double take_turns_off(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
-/// What the way of a step, and the turn of a direction that it is measured along, add to a way.
+/// Change of a distance by the displacement of a step, and by the rotation of the direction that it is measured along.
 double find_way_change(const Vector& way, const Vector& apart, const Vector& before, const Vector& after) {
   return dot(way, after) + dot(apart, after - before);
 }

@@ -45,7 +45,7 @@ JointFrame find_joint_frame(const Joint& joint, const std::vector<RigidState>& n
 void add_joint_rows(const Joint& joint, const JointFrame& frame, const std::vector<RigidState>& now,
                     std::vector<JointRow>& rows);
 
-/// What the step from now to next adds to the gaps of the joint. The velocities of next are those between both.
+/// Change of the gaps of the joint in the step from now to next. The velocities of next are those between both.
 std::array<double, most_joint_rows> find_gap_changes(const Joint& joint, const JointFrame& frame,
                                                      const std::vector<RigidState>& now,
                                                      const std::vector<RigidState>& next, double dt);

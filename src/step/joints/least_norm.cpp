@@ -8,7 +8,7 @@
 namespace percuss {
 namespace {
 
-/// What is left of a row that depends on others, as a share of its diagonal: round-off is 1e-16.
+/// Remainder of a row that depends on others, as a share of its diagonal: round-off is 1e-16.
 constexpr double dependent = 1e-11;
 
 }  // namespace

@@ -18,7 +18,7 @@
 namespace percuss {
 namespace {
 
-/// What an element of a chunk lacks of the mass that makes its bound the wanted step.
+/// Mass that an element of a chunk lacks to have the requested step as its bound.
 struct MissingMass {
   ElementBounds bounds;
   Array<double> mass;
@@ -69,7 +69,7 @@ bool MassScaler::wants_masses(const State& state, const HostMirror<Array<double>
   return false;
 }
 
-/// What each element lacks of the mass for the step of its part.
+/// Finds the mass that each element lacks for the step of its part.
 void MassScaler::find_missing(const State& state) {
   const auto target = Kokkos::create_mirror_view(target_);
   for (std::size_t c = 0; c < part_of_chunk_.size(); ++c) {

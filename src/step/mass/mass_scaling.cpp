@@ -125,7 +125,7 @@ void check_limit(const Deck& deck, const MassScalingDeck& request, const AddedMa
                   part.scaled, part.elements, part.least_bound));
 }
 
-/// What the nodes of an entry have together before, and how many they are.
+/// Mass and number of the nodes of an entry, before masses are added.
 struct NodeTotal {
   double mass = 0;
   std::int64_t count = 0;

@@ -16,8 +16,8 @@ class SharedMass {
   /// The model outlives this.
   SharedMass(const ChunkedMesh& chunked, const Model& model);
 
-  /// What is summed by node: mass of the elements that share; what they lack by themselves; 16th powers of that over
-  /// their masses.
+  /// Sums by node: mass of the elements that share; what they lack by themselves; 16th powers of that over their
+  /// masses.
   enum Column { mass, lacking, need };
 
   bool is_any() const { return shares_.extent(0) > 0; }

@@ -45,7 +45,7 @@ void add_to_books(const std::array<ExactSum, K>& sums, std::size_t first, Books&
   add_to_books(&sums[first], &sums[first + 3], books);
 }
 
-/// What welds or ties give a node in a direction, of rows that are empty without them.
+/// Impulse of welds or ties on a node in a direction, of rows that are empty without them.
 KOKKOS_INLINE_FUNCTION double find_joined(const Rows3<const double>& rows, int n, int k) {
   return rows.extent(0) > 0 ? rows(n, k) : 0;
 }

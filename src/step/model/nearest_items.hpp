@@ -12,7 +12,7 @@
 
 namespace percuss {
 
-/// What is nearest so far: least score first, then lowest number in the whole mesh.
+/// Nearest item so far: least score first, then lowest number in the whole mesh.
 struct Nearest {
   double score = std::numeric_limits<double>::infinity();
   std::int64_t number = std::numeric_limits<std::int64_t>::max();

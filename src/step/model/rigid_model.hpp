@@ -56,7 +56,7 @@ struct JointEnd {
   Vector3<double> turn{};  // at time 0, perpendicular to that of the other body, of joints that keep it so
 };
 
-/// What two bodies have in common; const after set-up. The first is no ground.
+/// Joint of two bodies; const after set-up. The first is no ground.
 struct Joint {
   static constexpr int ground = -1;
 
@@ -100,7 +100,7 @@ inline bool holds(const RigidBody& body, const RigidState& state, std::size_t di
   return body.motion[direction] != RigidBody::free && !state.released[direction];
 }
 
-/// What a joint did to its first body in the last step, on average; to the second the opposite.
+/// Force and moment of a joint on its first body in the last step, on average; to the second the opposite.
 struct JointState {
   Vector3<double> force{}, moment{};  // the latter about the joint's point
 };

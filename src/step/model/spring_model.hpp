@@ -29,7 +29,7 @@ struct ForcedNodes : ConnectedNodes {
   int first_slot = 0;  // a slot for each node that it owns
 };
 
-/// What the springs of an entry of the deck have in common.
+/// Law of the springs of an entry of the deck.
 struct SpringLaw {
   static constexpr double unbreakable = 0;
 
@@ -76,7 +76,7 @@ struct SpringState {
   double force() const { return elastic + damping; }
 };
 
-/// What the welds of an entry of the deck have in common.
+/// Law of the welds of an entry of the deck.
 struct WeldLaw {
   static constexpr double unbreakable = std::numeric_limits<double>::infinity();
 

@@ -146,7 +146,7 @@ void start_connections(const Model& model, State& s) {
   s.weld_moment = Rows3<double>("percuss::weld_moment", nodes);
 }
 
-/// What fibres remember at the start besides their stress and plastic strain.
+/// Starts the history of fibres besides their stress and plastic strain.
 KOKKOS_INLINE_FUNCTION void start_fibres(const BeamParameters& parameters, const LaneRecord<Real>& record) {
   const int count = parameters.fibres.count, more = count_more_history(parameters);
   const LaneRecord<Real> rest = record.from(BeamRecord::fibres + 2 * count);
@@ -380,7 +380,7 @@ std::uint64_t hash_nodes(const Model& model, const State& state) {
   return hash;
 }
 
-/// What an element that can fail has come to; nothing of one that is as it was.
+/// Mixes the life of an element that can fail into a hash; one that is as at the start adds nothing.
 KOKKOS_INLINE_FUNCTION std::uint64_t mix_life(const ElementLives& lives, int lane, std::uint64_t h) {
   if (lives.steps_left(lane) != ElementLives::whole)
     h = mix_bits(h ^ static_cast<std::uint64_t>(lives.steps_left(lane) + 1));

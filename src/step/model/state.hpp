@@ -36,7 +36,7 @@ struct Books {
   double added_mass = 0;       // of all ranks: by mass scaling during the run
   double added_energy = 0;     // kinetic energy that came with it, within external_work
 
-  /// What actions have stored, part of the internal energy, and what they have taken, part of the viscous one.
+  /// Energies that actions have stored, part of the internal energy, and taken, part of the viscous one.
   std::array<double, 3> stored_by_actions() const { return {spring_work, turn_work, glue_work}; }
   std::array<double, 4> taken_by_actions() const { return {damper_work, turn_loss, -weld_work, -equal_work}; }
 };
@@ -123,7 +123,7 @@ struct State {
   /// Fields that an evaluation of the elements reads and writes.
   ChunkFields chunk_fields() const { return {elements, slot_force, results, slot_moment}; }
   SpinInertia spin_inertia() const { return {inertia, inverse_inertia, spin_tensors}; }
-  /// What impulses after the damping of a step are multiplied by: 1/m, or 1/(m (1 + h)) of damped nodes.
+  /// Factor on impulses after the damping of a step: 1/m, or 1/(m (1 + h)) of damped nodes.
   const Rows3<double>& answering_inverse_mass() const {
     return damped.growth.extent(0) > 0 ? damped.inverse_mass : inverse_mass;
   }

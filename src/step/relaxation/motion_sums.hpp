@@ -15,7 +15,7 @@ struct MotionTotals {
   double moving_power = 0, moving_inertia = 0;
 };
 
-/// What contact does to the motion: an impulse that follows the gaps, as a spring does, or one that keeps them.
+/// Kind of force of contact on the motion: an impulse that follows the gaps, as a spring does, or one that keeps them.
 enum class ContactForce { spring, constraint };
 
 /// Call keep() after one step and find() after the next. Over dt, the quotient of power and inertia is v . K v / v . M

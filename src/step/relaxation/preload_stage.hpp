@@ -43,7 +43,7 @@ class PreloadStage {
   const std::vector<double>& forces() const { return forces_; }
 
  private:
-  /// What the place of a node adds to the length of an element.
+  /// Part of a node's place in the length of an element.
   struct Corner {
     int node = 0;
     Vec3 share;

@@ -117,8 +117,8 @@ void visit_failing_shells(const Model& model, const Visit& visit) {
   }
 }
 
-/// What the layers of shells carry that can fail, element after element: the strains of the element, then of each
-/// layer what LayerLives names.
+/// Archives the lives of layers of shells that can fail, element after element: the strains of the element, then of
+/// each layer what LayerLives names.
 void archive_layers(CheckpointArchive& archive, const Model& model, const State& state) {
   if (!model.has_rotations) return;
   ChunkRows rows{std::vector<std::int64_t>(static_cast<std::size_t>(model.chunks.count), 0), {}};

@@ -82,7 +82,7 @@ void archive_slots(CheckpointArchive& archive, const char* name, const Model& mo
   archive.rows(name, rows, 3, Kokkos::subview(slots, std::pair(std::size_t{0}, own), Kokkos::ALL));
 }
 
-/// What nodes of beams have of rotary inertia beyond a number, by node: diagonal and rest; zeros where there is none.
+/// Rotary inertia of nodes of beams beyond a number, by node: diagonal and rest; zeros where there is none.
 std::array<Rows3<double>, 2> spread_tensors(const Model& model, const State& state) {
   const auto nodes = static_cast<std::size_t>(model.node_count);
   const std::array<Rows3<double>, 2> by_node{Rows3<double>("percuss::tensor_diagonals", nodes),

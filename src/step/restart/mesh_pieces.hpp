@@ -18,7 +18,7 @@ std::vector<std::string> list_mesh_pieces(const Deck& deck, const ChunkedMesh& c
 /// 16 hexadecimal digits of all of them.
 std::string hash_mesh_pieces(const std::vector<std::string>& pieces);
 
-/// What differs, a text each: "node set 'p/held' has other members (4)".
+/// Differences, a text each: "node set 'p/held' has other members (4)".
 std::vector<std::string> compare_mesh_pieces(const std::vector<std::string>& now,
                                              const std::vector<std::string>& checkpoint);
 

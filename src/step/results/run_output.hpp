@@ -13,7 +13,7 @@
 
 namespace percuss {
 
-/// What a run that continues in a folder cuts off its files, and does not write again.
+/// Rows and frames that a run that continues in a folder removes from its files, and does not write again.
 struct CutStates {
   LaterStates rows;
   std::vector<CutFrames> frames;  // of each output of fields

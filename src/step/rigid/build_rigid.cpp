@@ -41,7 +41,7 @@ std::vector<MassSum> list_points(const ChunkedMesh& chunked, const std::vector<i
   return points;
 }
 
-/// What the sets of a body add to the masses of its nodes. mass: [nodes] lumped, of everything. Collective.
+/// Masses that the sets of a body add to its nodes. mass: [nodes] lumped, of everything. Collective.
 MassSum sum_of_sets(const Deck& deck, const ChunkedMesh& chunked, int body, const std::vector<double>& mass,
                     const Model& model) {
   MassSum added;
@@ -65,7 +65,7 @@ MassSum sum_of_sets(const Deck& deck, const ChunkedMesh& chunked, int body, cons
   return added;
 }
 
-/// What the parts of a body give instead of their elements' masses.
+/// Masses that the deck gives for the parts of a body, instead of their elements' masses.
 struct GivenMasses {
   std::optional<double> mass;
   std::optional<Vec3> center;

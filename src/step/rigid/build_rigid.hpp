@@ -43,7 +43,7 @@ struct HeldByCondition {
   int motion = 0;             // row of Model::motions
 };
 
-/// What conditions, and `rigid.fixed`, hold of the bodies. A condition must name all nodes of a body, or be a symmetry.
+/// Holds the bodies by conditions and `rigid.fixed`. A condition must name all nodes of a body, or be a symmetry.
 /// Throws InputError, the same on all ranks, where it does not, or where two move a body in one direction.
 void hold_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& map,
                        const std::vector<HeldByCondition>& held, Model& model);

@@ -113,7 +113,7 @@ void JointSolver::push(const Chain& chain, const std::vector<RigidState>& free, 
   }
 }
 
-/// What a step leaves of the gaps of a chain, but for what it is not to close.
+/// Measures the gaps that a step leaves in a chain, but for what it is not to close.
 void JointSolver::measure(const State& state, double dt, const Chain& chain, const std::vector<RigidState>& next) {
   gaps_.clear();
   for (const int j : chain.joints) {

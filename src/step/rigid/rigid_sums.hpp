@@ -39,7 +39,7 @@ class BodyForceFinder {
 /// index: which body of the model.
 RigidSums sum_rigid_body(const Model& model, const State& state, std::size_t index, const BodyForces& on);
 
-/// What a chunk of its elements has of that: kinetic energy and momentum. on: of its body.
+/// Kinetic energy and momentum of a chunk of its elements. on: of its body.
 RigidSums sum_rigid_chunk(const Model& model, const State& state, const RigidChunk& chunk, const BodyForces& on);
 
 }  // namespace percuss

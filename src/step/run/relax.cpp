@@ -47,8 +47,8 @@ void Run::note_unsettled(const Warning& warning) {
   warnings_.add({warning});
 }
 
-/// What elements hold at time 0 is initial energy, also that of stresses from files. The work of gravity counts from
-/// there on. Call after the start of the stepper.
+/// Begins the energy balance: what elements hold at time 0 is initial energy, also that of stresses from files. The
+/// work of gravity counts from there on. Call after the start of the stepper.
 void Run::begin_books() {
   if (!deck_.start.relaxation && deck_.start.fields.empty()) return;
   const EnergySummary held = Audit(model_)(state_).energy;

@@ -31,7 +31,7 @@ bool is_deep(const ContactReport& contact, double accepted_depth);
 /// The warning of it. deepest: names the node that is deepest.
 Warning warn_of_depth(double time, const std::string& deepest);
 
-/// What the energies of a run are judged by at its end [energy].
+/// Scales by which the energies of a run are judged at its end [energy].
 struct EnergyScales {
   double largest = 0;         // that was held in any state
   double resolved = 0;        // below this it is of motions that positions or steps do not resolve: round-off

@@ -8,7 +8,7 @@
 
 namespace percuss {
 
-/// What a summary is taken from; all of it outlives the call.
+/// Sources of a summary; all of it outlives the call.
 struct SummedRun {
   const ChunkedMesh& chunked;
   const Model& model;

@@ -53,7 +53,7 @@ class RunWarnings {
   /// note_pushed() of the start, also after a restart.
   double pushed_square() const { return pushed_square_; }
 
-  /// What is remembered besides the warnings, which write() gives as a text.
+  /// Archives what is remembered besides the warnings, which write() gives as a text.
   void archive(CheckpointArchive& archive);
   /// Warnings that a restart does not find again, for a checkpoint's header; the same on all ranks. Collective.
   std::string write() const;

@@ -39,10 +39,10 @@ class FolderRequests {
     bool stop = false, checkpoint = false, frame = false;
   };
 
-  /// What was requested during the start is found at the first check. folder: empty for a run without files.
+  /// Requests during the start are found at the first check. folder: empty for a run without files.
   explicit FolderRequests(std::string folder);
 
-  /// What has been requested since the last call; the files are removed. Looks at most four times a second.
+  /// Requests since the last call; the files are removed. Checks at most four times a second.
   Found take();
 
  private:

@@ -11,8 +11,8 @@ namespace percuss {
 
 using OwnRows = Kokkos::View<double**, Kokkos::LayoutRight, MemSpace>;
 
-/// What the owner of a node tells of it where nodes are joined; the place of each in a row of `count` numbers.
-/// Inverse masses and inertias are those by which it answers impulses (State::answering_inverse_mass).
+/// Data of a node from its owner, where nodes are joined; the place of each in a row of `count` numbers. Inverse masses
+/// and inertias are those by which it answers impulses (State::answering_inverse_mass).
 struct NodeRow {
   enum : std::size_t {
     place,
@@ -33,7 +33,7 @@ struct NodeRow {
   static void fill(const Model& model, const State& state, const Array<const int>& node, const OwnRows& own);
 };
 
-/// What the owner of a node tells where forces act on it; the place of each in a row of `count` numbers.
+/// Data of a node from its owner, where forces act on it; the place of each in a row of `count` numbers.
 template <bool with_velocity, bool with_spin = false>
 struct ForcedRow {
   enum : std::size_t {

@@ -35,7 +35,7 @@ class SpringStage : public Action {
  private:
   using Row = ForcedRow<true>;
 
-  /// What all springs are bounded by, and the one that alone allows the shortest step.
+  /// Bound of all springs, and the one that alone allows the shortest step.
   struct StiffestSpring {
     SpringRates rates;  // the largest of all
     std::int64_t spring = -1;

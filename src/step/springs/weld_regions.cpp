@@ -26,7 +26,7 @@ constexpr double none = std::numeric_limits<double>::infinity();
 constexpr double points_per_edge = 3;
 constexpr int least_rings = 8, most_rings = 64;
 
-/// What a point may lie outside a face, in its own coordinates of -1 to 1.
+/// Tolerance of a point outside a face, in the face's coordinates of -1 to 1.
 constexpr double rim = 1e-9;
 
 /// Faces whose distances differ by less than this share of the radius, such as those around an edge, are nearest

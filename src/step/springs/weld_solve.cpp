@@ -44,7 +44,7 @@ Change respond(const WeldNode& node, const Vector3<double>& p, const Vector3<dou
   return change;
 }
 
-/// What an impulse at the common point and a moment change of the velocity of that point and of the spin of a node.
+/// Change by an impulse at the common point and a moment, of the velocity of that point and of the spin of a node.
 Change respond_at(const WeldNode& node, const Vector3<double>& lever, const Vector3<double>& p,
                   const Vector3<double>& q) {
   Change change = respond(node, p, q + cross(lever, p));

@@ -10,7 +10,7 @@
 
 namespace percuss {
 
-/// What unit impulses along x, y and z at the centre of a patch of nodes change of its mean rigid motion, then unit
+/// Change of the mean rigid motion of a patch of nodes by unit impulses along x, y and z at its centre, then by unit
 /// moments about them.
 struct PatchResponse {
   struct Column {

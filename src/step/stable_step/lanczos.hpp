@@ -12,7 +12,7 @@
 
 namespace percuss {
 
-/// What the iteration has found so far: alpha_j on the diagonal, beta_j beside it (one less).
+/// Matrix of the iteration so far: alpha_j on the diagonal, beta_j beside it (one less).
 struct Tridiagonal {
   std::vector<double> diagonal, beside;
 };

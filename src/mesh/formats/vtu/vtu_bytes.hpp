@@ -18,7 +18,7 @@ struct VtuStorage {
 /// the reason if they are not there, or more are.
 std::string take_bytes(std::string_view encoded, bool is_base64, const VtuStorage& storage, std::size_t bytes);
 
-/// What is wrong with the bytes, in words that follow "the array ".
+/// Fault of the bytes, in words that follow "the array ".
 struct VtuFault {
   std::string reason;
 };

@@ -8,7 +8,7 @@
 
 namespace percuss {
 
-/// What a reader of beams needs besides the records; empty in a scene without beams.
+/// Tables of a reader of beams besides the records; empty in a scene without beams.
 struct BeamTables {
   Rows3<const double> x;
   Kokkos::View<BeamParameters*, MemSpace> parameters;

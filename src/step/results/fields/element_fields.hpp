@@ -41,8 +41,8 @@ std::vector<double> find_thicknesses(const Model& model, const State& state, con
 /// Normal forces of beams, positive where they pull; 0 of others.
 std::vector<double> find_axial_forces(const Model& model, const State& state, const ElementChoice& of = {});
 
-/// What the sections of beams carry, in their axes: the force along, then across in y and z; the torque, then the
-/// moments about y and z. 0 of others.
+/// Forces and moments of the sections of beams, in their axes: the force along, then across in y and z; the torque,
+/// then the moments about y and z. 0 of others.
 std::vector<double> find_section_forces(const Model& model, const State& state, const ElementChoice& of = {});
 std::vector<double> find_section_moments(const Model& model, const State& state, const ElementChoice& of = {});
 /// All six.

@@ -13,7 +13,7 @@
 
 namespace percuss {
 
-/// What a run that continues in a folder cuts off a file of fields.
+/// Frames that a run that continues in a folder removes from a file of fields.
 struct CutFrames {
   std::string file;
   LaterStates frames;

@@ -9,7 +9,7 @@
 
 namespace percuss {
 
-/// What a reader of shells needs besides the records; empty in a scene without shells.
+/// Tables of a reader of shells besides the records; empty in a scene without shells.
 struct ShellTables {
   Rows3<const double> x;
   Kokkos::View<ThicknessPoints*, MemSpace> rules;
@@ -19,7 +19,7 @@ struct ShellTables {
   ShellTables(const Model& model, const State& state)
       : x(state.x), rules(model.thickness_rules), failing(model.failing), lives(state.lives) {}
 
-  /// What layer p of element i of chunk c has of its stress at n.
+  /// Share of its stress at n that layer p of element i of chunk c has.
   KOKKOS_INLINE_FUNCTION double find_share(int c, int i, int points, int p) const {
     constexpr int width = pack_size<double>;
     if (failing.first_layer.extent(0) == 0 || failing.find_pack(c) < 0) return 1;
