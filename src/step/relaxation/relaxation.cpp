@@ -18,7 +18,7 @@
 namespace percuss {
 namespace {
 
-/// Least share of the motion, at its largest, that must be that of nodes for spins to be taken as idle.
+/// Least share of the largest kinetic energy that translations must have had for spins to be taken as idle.
 constexpr double least_moving = 0.1;
 /// Shortest period of spins that count as idle, as a share of the steps so far.
 constexpr double idle_periods = 10;
