@@ -217,6 +217,7 @@ KOKKOS_INLINE_FUNCTION void set_frozen(RowPack& pack, int lane, const ContactRow
   pack.missing[lane] = pack.friction[lane] = 0;
   pack.tied[lane] = pack.ties = 1;
   for (int d = 0; d < 2; ++d) {
+    set_lane(pack.tangent[d], lane, Point3{});
     pack.stiffness[d][lane] = unmoved;
     pack.slide[d][lane] = 0;
   }

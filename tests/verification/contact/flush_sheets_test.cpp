@@ -107,6 +107,18 @@ TEST(FlushSheets, KeepTheirEnergyOnARigidBody) {
   expect_kept(run_deck(text));
 }
 
+// The rows of the wall are iterated, those between the sheets are springs, which the iteration does not change.
+TEST(FlushSheets, ConvergeOnAWallThatRubs) {
+  std::string text = make_stack(3, 0.3);
+  const std::string held = "conditions: [{nodes: s0, fixed: [x, y, z]}]\n";
+  text.replace(text.find(held), held.size(), "walls: [{name: floor, point: [0, 0, 0], normal: z, friction: 0.3}]\n");
+  const Outcome run = run_deck(text);
+  double most = 0;
+  for (std::size_t row = 0; row < run.history.rows(); ++row) most = std::max(most, run.history["iterations"][row]);
+  EXPECT_GT(most, 1);
+  EXPECT_LT(most, 60);
+}
+
 // Springs that push along the normals of faces make such a stack flutter: its sheets bend, though they lie flat.
 TEST(FlushSheets, StayFlatInAStackUnderPressure) {
   const Outcome run = run_deck(make_stack(9, 0));
