@@ -152,15 +152,18 @@ CandidateKeys PointCounter::take(const ExecSpace& space, const Source& source, i
   make_room(candidates.weights, "percuss::rcb_candidate_weights", count_of(bin));
   CandidateKeys taken = candidates;
   const auto bins = bins_;
+  int total = 0;
   parallel_scan(
-      "percuss::rcb_take", RangeOf(space, 0, n), KOKKOS_LAMBDA(const int i, int& place, const bool is_final) {
+      "percuss::rcb_take", RangeOf(space, 0, n),
+      KOKKOS_LAMBDA(const int i, int& place, const bool is_final) {
         if (bins(i) != bin) return;
         if (is_final) {
           taken.keys(place) = source.key(i);
           taken.weights(place) = source.weight(i);
         }
         ++place;
-      });
+      },
+      total);
   space.fence();
   return taken;
 }

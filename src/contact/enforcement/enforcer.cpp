@@ -96,7 +96,7 @@ void Enforcer::list_pushed(const ContactMotion& motion) {
   const Rows3<const double> impulse = motion.impulse;
   if (last_impulse_ != motion.impulse.data()) {
     reserve(pushed_, static_cast<int>(impulse.extent(0)));
-    num_pushed_ = list_where<ExecSpace>(
+    num_pushed_ = list_where(
         ExecSpace(), static_cast<int>(impulse.extent(0)),
         [impulse] KOKKOS_FUNCTION(int n) { return was_pushed(impulse, n); }, pushed_);
   } else if (was_pushed_) {

@@ -45,14 +45,14 @@ struct HomePoint {
 };
 
 /// Where a body has its face that is closest to a point.
-struct ClosestFace {
+struct NearestFace {
   int place = 0, home = 0, in = 0;  // of EdgePoint
   int part = 0;
   bool may_touch = false, is_inside = false;
   double distance = 1e300, facing = 0, size = 0;
 
   /// Takes the other if it is closer, or as close and seen less aslant.
-  void take(const ClosestFace& other) {
+  void take(const NearestFace& other) {
     const bool is_closer = other.distance * tie < distance;
     if (is_closer || (other.distance < distance * tie && other.facing > facing)) *this = other;
   }
@@ -151,8 +151,8 @@ SentPoints find_points(const SurfaceShare& share, const HostPlaces& x, const std
   return sent;
 }
 
-ClosestFace look_at(const SurfaceShare& share, const FacePoints& face, std::size_t f, const EdgePoint& point) {
-  ClosestFace found{point.place, point.home, point.in, share.faces[f].part};
+NearestFace look_at(const SurfaceShare& share, const FacePoints& face, std::size_t f, const EdgePoint& point) {
+  NearestFace found{point.place, point.home, point.in, share.faces[f].part};
   const FacePoint closest = find_closest_point(face);
   const double height = -dot(closest.normal, interpolate(face, closest.weight));
   found.is_inside = height < 0;
@@ -163,9 +163,9 @@ ClosestFace look_at(const SurfaceShare& share, const FacePoints& face, std::size
 }
 
 /// The faces of this rank that are closest to points it was sent.
-std::vector<ClosestFace> find_closest_faces(const SurfaceShare& share, const HostPlaces& x,
+std::vector<NearestFace> find_closest_faces(const SurfaceShare& share, const HostPlaces& x,
                                             const std::vector<EdgePoint>& points, std::int64_t& tests) {
-  std::vector<ClosestFace> closest;
+  std::vector<NearestFace> closest;
   if (points.empty()) return closest;
   std::map<int, double> reach;  // by body
   for (const EdgePoint& point : points) reach[point.in] = std::max(reach[point.in], point.reach);
@@ -181,11 +181,11 @@ std::vector<ClosestFace> find_closest_faces(const SurfaceShare& share, const Hos
   BoxList boxes(std::move(list));
   const auto friction = to_host(share.pair_friction);
   for (const EdgePoint& point : points) {
-    ClosestFace least;
+    NearestFace least;
     boxes.visit_around(point.x, [&](int f) {
       const FaceTopology& of = share.faces[at(f)];
       if (of.body != point.in) return;
-      ClosestFace found = look_at(share, load_face(share, x, at(f), point.x), at(f), point);
+      NearestFace found = look_at(share, load_face(share, x, at(f), point.x), at(f), point);
       found.may_touch = friction(point.surface_class * share.num_classes + of.surface_class) >= 0;
       least.take(found);
     });
@@ -197,9 +197,9 @@ std::vector<ClosestFace> find_closest_faces(const SurfaceShare& share, const Hos
 
 /// The deepest point of each of this rank's edges. closest: by ranks.
 std::vector<SunkenEdge> find_deepest(const SurfaceShare& share, const SentPoints& sent,
-                                     const std::vector<ClosestFace>& closest, double least) {
-  std::map<std::pair<int, int>, ClosestFace> by_body;  // by place and body
-  for (const ClosestFace& face : closest) by_body[{face.place, face.in}].take(face);
+                                     const std::vector<NearestFace>& closest, double least) {
+  std::map<std::pair<int, int>, NearestFace> by_body;  // by place and body
+  for (const NearestFace& face : closest) by_body[{face.place, face.in}].take(face);
   std::map<int, SunkenEdge> deepest;  // by place of the edge
   for (const auto& [key, face] : by_body) {
     const HomePoint& point = sent.home[at(key.first)];
@@ -239,11 +239,11 @@ SunkenEdges find_sunken_edges(const Communicator& ranks, const SurfaceShare& sha
   const SentPoints sent = find_points(share, x, bodies, reaches, boxes);
   result.tests = boxes.tests() + static_cast<std::int64_t>(share.faces.size());
   ItemExchange exchange(ranks);
-  const std::vector<ClosestFace> found =
+  const std::vector<NearestFace> found =
       find_closest_faces(share, x, exchange.send(sent.to, sent.points), result.tests);
   std::vector<int> homes;
   homes.reserve(found.size());
-  for (const ClosestFace& face : found) homes.push_back(face.home);
+  for (const NearestFace& face : found) homes.push_back(face.home);
   result.found = find_deepest(share, sent, exchange.send(homes, found), least);
   all_reduce(ranks, Reduce::largest, result.tests);
   return result;
