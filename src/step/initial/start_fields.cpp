@@ -70,12 +70,12 @@ std::vector<Warning> warn_of_displacement(const Deck& deck, const Mesh& mesh, co
 }
 
 /// The rows of an id.
-struct Rows {
+struct TableRows {
   int first = 0, last = 0;
   bool any() const { return first < last; }
 };
 
-Rows find_rows(const StartTable& table, std::int64_t id) {
+TableRows find_rows(const StartTable& table, std::int64_t id) {
   const auto [first, last] = std::equal_range(table.ids.begin(), table.ids.end(), id);
   return {static_cast<int>(first - table.ids.begin()), static_cast<int>(last - table.ids.begin())};
 }
@@ -189,7 +189,7 @@ class TableSetter {
 
  private:
   void set_element(const StartElement& of, const PartDeck& part) {
-    const Rows rows = find_rows(table_, target_.chunked.mesh.element_ids[at(of.element)]);
+    const TableRows rows = find_rows(table_, target_.chunked.mesh.element_ids[at(of.element)]);
     if (!rows.any()) return;
     int& given = target_.given[at(of.element)];
     const int twice = given & list_quantities(table_);
@@ -228,7 +228,7 @@ void set_velocities_of(const Deck& deck, const ChunkedMesh& chunked, const Start
   std::vector<int> hits(table.ids.size(), 0);
   int rigid = std::numeric_limits<int>::max();
   for (const int node : select_nodes(mesh, deck, {piece.part, {}, fields.place})) {
-    const Rows rows = find_rows(table, mesh.node_ids[at(node)]);
+    const TableRows rows = find_rows(table, mesh.node_ids[at(node)]);
     if (!rows.any()) continue;
     const int row = rows.first;
     if (owns_node(chunked, node)) hits[at(row)] += 1;
