@@ -20,7 +20,7 @@ NodeFaces make_node(const std::vector<Point3>& areas) {
     faces.push_back(static_cast<int>(faces.size()));
   }
   return {to_view("first", std::vector<int>{0, static_cast<int>(areas.size())}), to_view("faces", faces),
-          to_rows("areas", rows)};
+          percuss::to_rows("areas", rows)};
 }
 
 TEST(NodeAreas, ACornerHasAQuarterOfAQuadrilateralAndAThirdOfATriangle) {
