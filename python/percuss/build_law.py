@@ -23,11 +23,13 @@ it with {model: library, law: hardening.so, constants: {...}}.
 Examples:
   percuss build-law hardening.hpp                     makes hardening.so
   percuss run deck.yaml --allow-library hardening.so
-                                with {model: library, law: hardening.so, constants: {...}} in the deck
 
-Exit codes: 0 the library is made; 2 wrong input, or the law does not compile;
-4 there is no compiler, or no file can be written.
-Needs Python 3 and a C++20 compiler.
+Exit codes:
+  0    the library is made
+  2    the input is wrong, or the law does not compile
+  4    there is no compiler, or no file can be written
+
+Needs Python 3 and a C++20 compiler. docs/user_laws.md describes laws.
 """
 # What the headers of laws use of Kokkos: its words for functions.
 MARKS = """\
@@ -40,8 +42,8 @@ MARKS = """\
 
 def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="percuss build-law", epilog=EPILOG,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter,
-                                     description="Compiles a material law of your own as a library that decks can use.")
+                                     formatter_class=HelpFormatter,
+                                     description="Compile a material law of your own as a library.")
     add = parser.add_argument
     add("law", metavar="LAW.hpp", help="the header of the law")
     add("--out", metavar="FILE", help="the library to write (default: LAW.so in the current folder)")

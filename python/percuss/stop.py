@@ -11,22 +11,28 @@ from percuss.help_format import HelpFormatter
 from percuss.terminal import fail as end
 
 EPILOG = """\
-The run ends after its current step. It first writes its results and a checkpoint, with which percuss run DECK --restart
-DIR continues it. The request is a file, DIR/stop, DIR/frame or DIR/checkpoint, which the run takes within a quarter of
-a second, or after its current step if that takes longer. A request during the start of a run takes effect after its
-first step. It works from any machine that sees the folder.
+The run ends after its current step. It first writes its results and a
+checkpoint, with which percuss run DECK --restart DIR continues it. The request
+is a file, DIR/stop, DIR/frame or DIR/checkpoint. The run takes it within a
+quarter of a second, or after its current step if that takes longer. A request
+during the start of a run takes effect after its first step. It works from any
+machine that has the folder.
 
-A frame is only written if the deck has output.fields, a row only if it has output.history and no sensors. Sensors are
-evaluated at rows, and a requested frame must not change the run.
+A frame is written only if the deck has output.fields, a row only if it has
+output.history and no sensors: sensors are evaluated at rows, and a requested
+frame must not change the run.
 
 Examples:
   percuss stop wall                 end the run with a checkpoint
   percuss stop wall --frame         write a frame and a row now; continue
   percuss stop wall --checkpoint    write a checkpoint now; continue
 
-Exit codes: 0 the run has taken the request (or was asked, with --no-wait); 2 there is no active run in DIR; 4 the
-request could not be written, or the run has not taken it in time.
-Needs Python 3 alone.
+Exit codes:
+  0    the run has taken the request (or was asked, with --no-wait)
+  2    there is no active run in DIR
+  4    the request could not be written, or was not taken in time
+
+Needs Python 3 alone. docs/results.md describes requests.
 """
 
 

@@ -17,12 +17,7 @@ history.csv:
   --forces     of contact, walls, supports, sections, joints, springs and welds:
                largest resultant and its time, impulse, mean, last value
 
-  --energies   of the scene, then of each part or block that the history has: first, last, smallest and largest value,
-               with their times
-  --forces     of contact, walls, supports, sections, joints, springs and welds: largest resultant and its time,
-               impulse, mean, last value
-
-examples:
+Examples:
   percuss info ball --energies
   percuss info ball --energies --forces --units 'mm, kg, ms'
 

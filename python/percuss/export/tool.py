@@ -24,10 +24,12 @@ Files = Iterator[tuple[str, str | bytes]]  # their names and contents
 EPILOG = """\
 Formats, and what they write into DIR/export or the folder of --out:
   vtu      a file of VTK for each frame (ParaView, VisIt, PyVista)
-  pvd      the same and a list of them with their times
-  exodus   fields.e, Exodus II: all frames, parts as blocks with their names (ParaView, Cubit, SEACAS); needs SciPy
-  d3plot   LS-DYNA's state database: d3plot, d3plot01 ... (LS-PrePost, META, Animator, lasso-python); parts by name,
-           positions, velocities, stress, plastic strain, thickness, forces of beams, deletion
+  pvd      as vtu, with a list of the files and their times
+  exodus   fields.e, Exodus II: all frames, parts as blocks with their names
+           (ParaView, Cubit, SEACAS); needs SciPy
+  d3plot   LS-DYNA's state database: d3plot, d3plot01 ... (LS-PrePost, META,
+           Animator, lasso-python): parts by name, positions, velocities,
+           stress, plastic strain, thickness, forces of beams, deletion
   csv      nodes and elements of each frame as tables
   gltf     fields.glb: the surface with its motion, for browsers, slides and
            Blender
@@ -37,10 +39,14 @@ Examples:
   percuss export ball --format pvd --frames 0..30:5 --field velocity
   percuss export ball --format gltf --field equivalent_plastic_strain
 
-Exit codes: 0 done; 2 a folder, a frame, a field or an option is wrong, or a library is missing;
-4 a file cannot be written.
+Exit codes:
+  0    done
+  2    a folder, a frame, a field or an option is wrong, or a library is missing
+  4    a file cannot be written
+
 Needs Python 3 with NumPy and h5py, exodus SciPy too:
-scripts/install_dependencies --report installs them. See docs/export.md.
+scripts/install_dependencies --report installs them.
+docs/export.md describes the formats.
 """
 
 

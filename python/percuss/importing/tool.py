@@ -8,20 +8,23 @@ from percuss.libraries import require
 
 NEEDS = ("yaml",)
 EPILOG = """\
-MODEL is an LS-DYNA keyword deck (.k, .key, .dyn, with the files that it includes) or an Abaqus deck (.inp) of an
-explicit analysis. DIR gets:
+MODEL is an LS-DYNA keyword deck (.k, .key, .dyn, with the files that it
+includes) or an Abaqus deck (.inp) of an explicit analysis. DIR gets:
   deck.yaml          what percuss runs, readable, to be edited
   mesh.k             nodes, elements and sets with the ids of the deck
-  import_report.md   what became of every card; import_report.json is the same for programs
-Before the deck is written, `percuss check` checks it, unless --no-check is given.
-Its errors are reported for the card that made the entry.
+  import_report.md   what became of every card; import_report.json is the same
+                     for programs
+percuss check then checks the deck, unless --no-check is given. Its errors are
+reported for the card that made the entry.
 
-Nothing is dropped silently. A card, an option or a field that changes physics and has no counterpart is refused with
-its place. All refusals are listed together, and no deck is written.
-The message says what --allow would do instead, card by card:
-  --allow MAT_RIGID                 accept what the message offers for *MAT_RIGID
-  --allow 'CONTACT.*,HOURGLASS*'    patterns, several with commas
-  --allow all                       accept every documented approximation; read the report
+Nothing is dropped silently. A card, an option or a field that changes physics
+and has no counterpart is refused with its place. All refusals are listed
+together, and no deck is written. The message says what --allow would do
+instead, card by card:
+  --allow MAT_RIGID                accept what the message offers for *MAT_RIGID
+  --allow 'CONTACT.*,HOURGLASS*'   patterns, several with commas
+  --allow all                      accept every documented approximation; read
+                                   the report
 
 If the folder holds an imported deck, nothing is changed unless --force is
 given: deck.yaml may have been edited since.

@@ -32,10 +32,8 @@ and its penetration:
              =contact where a panel has its name
   a pattern  'f?:impact' overlays all columns that match
   several    kinetic,internal overlays both
-  an expression of columns, with a label or not: 'crush = integral(wall_force_z, top_z) / 1e3'. It may have + - * / **,
-             ( ), abs sqrt exp log sin cos tan min max first last change mean norm; integral(y, x) and derivative(y, x),
-             over time without x; resultant('hit') of fx:hit, fy:hit, fz:hit; distance('a', 'b') of two history nodes;
-             cfc(y, 600)
+  an expression of columns, with a label or not, as in
+             'crush = integral(wall_force_z, top_z) / 1e3'
 
 An expression may have:
   + - * / ** ( ) abs sqrt exp log sin cos tan min max
@@ -49,10 +47,22 @@ Warnings of the run are dashed lines at the time at which they were first found,
 with numbers; their names are printed. Curves of several folders are overlaid,
 each run in a style of its own.
 
-Exit codes: 0 done; 2 a folder, a column or an option is wrong, or a library is missing.
+Examples:
+  percuss plot ball                         ball/plot.png and ball/plot.svg
+  percuss plot ball ball_fine energies step  two runs overlaid
+  percuss plot ball 'f?:impact' --to 1e-4   the start only
+  percuss plot can wall_force_z --cfc 600   filtered according to SAE J211
+  percuss plot ball --units 'mm, kg, ms'    kN, GPa and J
+  percuss plot box wall_force_z --x top_z   force over displacement
+  percuss plot ball --list                  columns with their units, meanings
+
+Exit codes:
+  0    done
+  2    a folder, a column or an option is wrong, or a library is missing
+
 Needs Python 3 with NumPy and Matplotlib, and h5py for units and parts:
 scripts/install_dependencies --report installs them.
-See docs/results.md; docs/output.md describes the columns.
+docs/results.md describes plots, docs/output.md the columns.
 """
 
 

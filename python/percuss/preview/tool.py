@@ -13,18 +13,25 @@ from percuss.libraries import require
 NEEDS = ("numpy", "h5py", "matplotlib")
 WISHES = ("vtkmodules.vtkRenderingOpenGL2", "PIL.Image")
 EPILOG = """\
-`percuss check DECK --report` is this program. It calls percuss check and runs a few steps in a temporary folder, which
-take some seconds. The page shows the bodies by part, with sets, conditions, walls, initial velocities as arrows, and
-overlaps and gaps in red. It lists mass, extent, step by part, predicted steps, run time, memory and disk,
-and all warnings of check.
+percuss check DECK --report is this program. It calls percuss check and runs a
+few steps in a temporary folder, which take some seconds. The page shows the
+bodies by part, with sets, conditions, walls, initial velocities as arrows, and
+overlaps and gaps in red. It lists mass, extent, step by part, predicted steps,
+run time, memory and disk, and all warnings of percuss check.
 
 Examples:
   percuss check --report deck.yaml      writes SCENE_check.html here
   percuss check deck.yaml --report --out before.html \\
                 --set 'parts.rod.cylinder.cells=[16, 64]'
 
-Exit codes: 0 done; 2 the deck, a mesh or the command is wrong (a page is written only for overlap that the deck
-refuses); 4 the system failed. Needs what percuss report needs: scripts/install_dependencies --report.
+Exit codes:
+  0    done
+  2    the deck, a mesh or the command is wrong (a page is written only for
+       overlap that the deck refuses)
+  4    the system failed
+
+Needs what percuss report needs: scripts/install_dependencies --report.
+docs/results.md describes the page.
 """
 
 

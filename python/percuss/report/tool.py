@@ -11,19 +11,16 @@ from percuss.terminal import fail as end
 NEEDS = ("numpy", "h5py", "matplotlib")
 WISHES = ("vtkmodules.vtkRenderingOpenGL2", "PIL.Image", "yaml")
 EPILOG = """\
-The page is one HTML file that needs no network and no other file. It shows
-  what to look at first, pictures of the start, of the frame in which the field is largest and of the end, the surface
-  to turn with the mouse over time, plots with the warnings marked, the deck with parts and materials, and what the run
-  cost.
+The page is one HTML file that needs no network and no other file. It has:
+  - what to look at first
+  - pictures of the start, of the end, and of the frame with the largest value
+  - the surface over time, to turn with the mouse
+  - plots with the warnings marked
+  - the deck with parts and materials, and what the run cost
 With several folders it compares them: bit-identity, numbers, curves and decks.
 
-examples:
-  percuss report ball                                       writes ball/report.html
-  percuss report ball --field velocity                      colours show the speed
-  percuss report ball ball_fine --out finer.html            a comparison
-  percuss report box --plot 'crush = resultant("crush")' --x 'change(-sled_z)'
-  percuss report ball --units 'mm, kg, ms'                  numbers, plots, pictures and view in kN, GPa and J
-  percuss report out/* --no-pictures --no-view              numbers and curves only: no VTK needed
+The deck is the one that was run, with the changes of --set: the run keeps it in
+summary.json and in its checkpoint.
 
 Examples:
   percuss report ball                             writes ball/report.html

@@ -22,22 +22,24 @@ if TYPE_CHECKING:
 NEEDS = ("numpy", "h5py", "matplotlib")
 WISHES = ("scipy",)  # of --sample
 EPILOG = """\
-Each --vary names a key of the deck, as --set does, and what it takes:
+Each --vary names a key of the deck, as --set does, and its values:
   parts.wall.thickness=1e-3,2e-3            these values
-  materials.steel.yield_stress=2e8..6e8:5   five values at equal distances; :log for equal ratios,
-                                            :int for whole numbers
+  materials.steel.yield_stress=2e8..6e8:5   five values at equal distances;
+                                            :log for equal ratios, :int for
+                                            whole numbers
   initial.0.velocity.2=-80..-40             a range, for --sample
   parts.a.thickness,parts.b.thickness=1,2   both together
-Without --sample every combination is run.
---designs reads them from a CSV file: keys in its heading, a design in each line.
+Without --sample every combination is run. --designs reads them from a CSV file:
+keys in its heading, a design in each line.
 
-Each --output is a column of history.csv or an expression of columns, as percuss plot has them, with a label or not.
-What is one number (max, min, mean, first, last) gives one column; else there are LABEL.peak, LABEL.mean and LABEL.last.
+Each --output is a column of history.csv or an expression of columns, as percuss
+plot has them, with a label or not. What is one number (max, min, mean, first,
+last) gives one column; else there are LABEL.peak, LABEL.mean and LABEL.last.
 By default: the largest resultant of each force, and the energies at the end.
 
-A finished design is not run again: it is known by the values of its deck and by the files that the deck names. An
-interrupt stops the runs with checkpoints; the same command goes on.
-A design that is refused or fails is a row of the table.
+A finished design is not run again: it is known by the values of its deck and by
+the files that the deck names. An interrupt stops the runs with checkpoints; the
+same command continues. A design that is refused or fails is a row of the table.
 
 Examples:
   percuss sweep tube.yaml --vary parts.tube.thickness=1e-3,2e-3,3e-3 \\
@@ -46,10 +48,15 @@ Examples:
   percuss sweep tube.yaml --designs designs.csv --out study
   percuss sweep tube.yaml --vary a.b=5..9:20 --threads 8 --job-array > sweep.sh
 
-Exit codes: 0 the table is written; 2 an option, the deck or an expression is wrong, or a library is missing; 3 no
-design has completed; 130 interrupted.
-Needs Python 3 with NumPy, h5py and Matplotlib, --sample SciPy too: scripts/install_dependencies --report installs them.
-See docs/sweep.md.
+Exit codes:
+  0    the table is written
+  2    an option, the deck or an expression is wrong, or a library is missing
+  3    no design has completed
+  130  interrupted
+
+Needs Python 3 with NumPy, h5py and Matplotlib, --sample SciPy too:
+scripts/install_dependencies --report installs them.
+docs/sweep.md describes sweeps.
 """
 
 

@@ -10,12 +10,14 @@ from percuss.terminal import fail as end
 
 NEEDS = ("numpy", "h5py", "matplotlib")
 EPILOG = """\
-The page is one HTML file that needs no network. It shows the surface over time: turn, zoom, play, fields to choose
-from, deformation scaled, the start as an outline, the deck's symmetry mirrored, rigid walls, a plane that cuts, arrows
-of vectors, parts to hide, the largest value and the value under the pointer (to one 254th of the bar).
-The key h lists the keys.
-A surface that is too large has fewer arrows, no inside of solids, fewer frames, only parts that move, fewer elements,
-in this order; page and command say so. Without WebGL the page draws plain pictures.
+The page is one HTML file that needs no network. The mouse turns and zooms the
+surface. The page can:
+  - play the run, choose the field, scale the deformation
+  - show the outline at the start, rigid walls, arrows of vectors
+  - mirror by the deck's symmetry, cut with a plane, hide parts
+  - show the largest value, and the value under the pointer (to one 254th of
+    the bar)
+The key h lists the keys. Without WebGL the page draws plain pictures.
 
 A surface that is too large is reduced, in this order: fewer arrows, no inside
 of solids, fewer frames, only parts that move, fewer elements. The page and the

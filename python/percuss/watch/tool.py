@@ -19,10 +19,11 @@ EXIT_CODES = {"completed": 0, "failed": 3, "killed": 4, "interrupted": 130}
 LINES_EVERY = 10.0  # seconds between lines where the output is no terminal
 
 EPILOG = """\
-Shows the progress, and energies, their error, the time step and contacts as sparklines from the start to now; warnings
-once the run has ended.
-It may start and stop at any time, in another terminal, over ssh, on another machine that sees the folder.
-Where the output is no terminal it writes a line every ten seconds, and the view at the end.
+Shows the progress, and energies, their error, the time step and contacts as
+sparklines from the start to now; warnings once the run has ended. It may start
+and stop at any time, in another terminal, over ssh, or on another machine that
+has the folder. Where the output is no terminal it writes a line every ten
+seconds, and the view at the end.
 
 It reads these files of DIR, and never the deck's own file:
   history.csv     the values
@@ -38,9 +39,14 @@ Examples:
   ssh cluster percuss watch scratch/wall
   percuss watch wall && percuss report wall   a report when it is complete
 
-Exit codes: those of the run: 0 completed; 3 failed; 4 killed; 130 interrupted;
-0 after --once or Ctrl-C; 2 wrong folder.
-Needs Python 3 alone.
+Exit codes:
+  0    the run is completed; also after --once or Ctrl-C
+  2    the folder or an option is wrong
+  3    the run failed
+  4    the run was killed
+  130  the run was interrupted
+
+Needs Python 3 alone. docs/results.md describes the view.
 """
 
 
