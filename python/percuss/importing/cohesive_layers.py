@@ -100,7 +100,7 @@ def find_energy_fault(law: Deck) -> str:
 
 
 def choose_covered(model: Model, faces: Faces, own: Faces) -> Faces:
-    """Those of the faces that lie at a layer.
+    """Faces that lie at a layer.
     The layer's faces are sorted into cells of a grid as wide as the largest of them."""
     if not own or not faces:
         return []

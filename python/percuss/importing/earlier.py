@@ -59,7 +59,7 @@ def describe_loss(path: str, name: str, folder: str) -> str:
 
 
 def read_mark(folder: str) -> str:
-    """Of the deck as the last import wrote it;
+    """Mark of the deck as the last import wrote it;
     empty if that is not known, as of a report that no import has written."""
     try:
         mark: str = load_json(os.path.join(folder, REPORT), {"deck_sha256": TEXT})["deck_sha256"]

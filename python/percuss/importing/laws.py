@@ -73,7 +73,7 @@ def make_mooney_rivlin(c10: float, c01: float) -> Deck:
 
 
 def find_law(model: Model, block: Block) -> Deck:
-    """Of the elements of a part; empty where they are rigid, have none or several."""
+    """Law of the elements of a part; empty where they are rigid, have none or several."""
     return ({} if block.keys.get("rigid") or "plies" in block.keys
             else model.materials.get(block.keys.get("material", ""), {}))
 

@@ -91,7 +91,7 @@ def escape(text: str) -> str:
 
 
 def write_json(path: str, source: str, ledger: Ledger, summary: list[str], mark: str) -> None:
-    """The same for programs. mark: of the deck as written (earlier.py); empty: none is written."""
+    """The report for programs. mark: of the deck as written (earlier.py); empty: none is written."""
     cards = [{"card": entry.card, "outcome": entry.status.value, "how": entry.text, "file": entry.first.file,
               "line": entry.first.line, "count": entry.count} for entry in ledger.list_rows()]  # fmt: skip
     content = {"source": source, "cards": cards, "model": summary, "deck_sha256": mark}

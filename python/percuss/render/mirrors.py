@@ -13,7 +13,7 @@ from .selection import BadChoice
 
 Plane = tuple[int, float]  # axis, value
 Planes = Sequence[Plane]
-ON_THE_PLANE = 1e-6  # of the size of the mesh
+ON_THE_PLANE = 1e-6  # share of the size of the mesh
 
 
 def choose_planes(fields: Fields, wanted: list[Plane | str] | None, deck: Deck) -> list[Plane]:

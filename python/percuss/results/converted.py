@@ -143,7 +143,7 @@ def _refuse(path: str) -> BadUnits:
 
 
 def convert_run(run: Run, system: str | None) -> Any:
-    """The run in a system of units such as 'mm, kg, ms'; the run itself where its deck has these, or none are wanted."""
+    """The run in a system of units such as 'mm, kg, ms'; the run itself if its deck has these or none are given."""
     units = Units(system) if system else None
     if units is None or run.units and run.units.text == units.text:
         return run

@@ -116,7 +116,7 @@ def change_friction(deck: AbaqusDeck, block: Block, friction: float) -> None:
 
 
 def assign_friction(deck: AbaqusDeck, block: Block, names: tuple[str, str], place: Place, friction: float) -> None:
-    """Assigns the friction of two surfaces, or of everything with one. The last that names both counts in Abaqus, the first here."""
+    """Friction of two surfaces, or of one with all. The last that names both counts in Abaqus, the first here."""
     if not names[1]:  # of the first one with itself
         names = (names[0], names[0])
     if any(is_profile(deck, name) for name in names if name):

@@ -98,7 +98,7 @@ def check_conduction(deck: AbaqusDeck) -> None:
 
 
 def find_diffusion(deck: AbaqusDeck, material: str, names: set[str]) -> list[float]:
-    """Numbers of the parts of a material: diffusivity times the time of the run, over the square of the shortest edge."""
+    """Fourier numbers of the parts of a material, by the time of the run and the shortest edge."""
     parts = deck.materials[material.upper()].parts if material.upper() in deck.materials else []
     values = {block.keyword: [block.number(line, 0) for line in block.lines] for block in parts}
     conductivity = max(values.get("CONDUCTIVITY", []), default=0.0)

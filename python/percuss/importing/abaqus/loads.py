@@ -31,7 +31,7 @@ def renew(deck: AbaqusDeck, block: Block) -> None:
 
 
 def act(deck: AbaqusDeck, block: Block, line: Line, key: tuple[Any, ...], value: float, emit: Writer) -> None:
-    """From this step on, in place of the same load of a step before; several of one step add up."""
+    """Lets a load act from this step on, in place of the same load of a step before; several of one step add up."""
     place = block.at(line[0])
     points = deck.values_in_step(block, place, value)
     if points is None:

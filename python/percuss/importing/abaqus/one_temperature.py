@@ -41,7 +41,7 @@ def has_temperatures(block: Block) -> bool:
 
 
 def find_temperatures(deck: AbaqusDeck, name: str) -> set[float]:
-    """Of the nodes of a material at the start; 0 in Abaqus where none is given."""
+    """Temperatures of the nodes of a material at the start; 0 in Abaqus where none is given."""
     sections = [s for s in deck.mesh.sections
                 if name in (s.material.upper(), *(layer.material.upper() for layer in s.layers))]
     nodes = {node for s in sections for id in deck.elements_of(s.elements, s.place) if id in deck.mesh.elements

@@ -299,7 +299,7 @@ class Writer:
             self._add_contact(block)
 
     def _add_contact(self, block: Block) -> None:
-        """Of two surfaces, of one, of each pair, or of each part with all others."""
+        """Forces of two surfaces, of one, of each pair, or of each part with all others."""
         deck, names = (self.deck,
                        [block.option(word)
                         for word in ("SURFACE", "SECOND SURFACE", "MASTER", "SLAVE", "NSET") if block.option(word)])

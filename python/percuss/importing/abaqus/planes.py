@@ -31,7 +31,7 @@ def hold_planes(deck: AbaqusDeck) -> None:
 
 
 def list_edges(deck: AbaqusDeck, name: str, place: Place) -> dict[int, float] | None:
-    """Of a surface of plane elements: half of the area of its edges at each node.
+    """Edges of a surface of plane elements: half of the area of its edges at each node.
     None where it is of other elements."""
     sides = deck.resolve(deck.mesh.surfaces, name, place, "surface")
     areas: dict[int, float] = {}

@@ -51,7 +51,7 @@ class Timeline:
     lines: dict[Place, None] = field(default_factory=dict)  # of all actions, those included that another has replaced
 
     def act(self, target: Target, action: Action) -> None:
-        """From its start on in place of what acted there."""
+        """Lets an action act from its start on, in place of what acted there."""
         self.lines[action.place] = None
         rows = self.windows.setdefault(target, [])
         if rows and rows[-1].end > action.start:

@@ -129,7 +129,7 @@ class Target:
 
 
 def apply_node_load(deck: KeywordDeck, card: Card, on: Target, load: Deck) -> None:
-    """Applies a load to each node; a moment on a node of a rigid body, and a force on one without elements, act on the body."""
+    """Applies a load to each node. On a rigid body act moments on its nodes, and forces on nodes without elements."""
     found = sort_nodes(deck, list_card_nodes(deck, on.id, on.is_set, on.place), on.place)
     refuse_lost(deck, card.keyword, found.lost, on.place, "a load")
     nodes, used = list(found.free), deck.used_nodes()

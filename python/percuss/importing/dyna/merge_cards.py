@@ -29,7 +29,7 @@ def read_merge_tolerance(deck: KeywordDeck, card: Card) -> None:
 
 
 def merge_nodes(deck: KeywordDeck) -> None:
-    """Of nodes within the tolerance the one with the lowest id stays.
+    """Merges nodes within the tolerance: the one with the lowest id stays.
     Elements and sets get it in place of the others, which are gone."""
     for row in deck.merged_sets:
         members = [node for node in deck.list_members("NODE", row.integer("NSID"), row.place) if node in deck.nodes]

@@ -136,7 +136,7 @@ ACTIONS: dict[str, Handler] = {
     "RIGIDWALL_": read_wall, "CONTACT_": read_contact, "DATABASE_": read_database, "TERMINATION_NODE": read_node_limit,
     "TERMINATION_BODY": read_body_limit, "TERMINATION_SENSOR": read_sensor_end, "TERMINATION_": read_other_end,
 }  # fmt: skip
-# Of several of these the last one counts, as in LS-DYNA.
+# Cards of which the last one counts, as in LS-DYNA.
 # They wait for it: DEFINITIONS of them are read behind all others.
 OF_LAST = (
     "CONTROL_TERMINATION", "CONTROL_CONTACT", "CONTROL_SHELL", "CONTROL_SOLID", "CONTROL_RIGID", "CONTROL_SOLUTION",
@@ -161,7 +161,7 @@ IGNORED = {
     **{f"INITIAL_STRAIN_{kind}": "strains of an earlier stage, which are written and change no stress"
        for kind in ("SHELL", "SHELL_SET", "SOLID", "SOLID_SET", "TSHELL")},
 }  # fmt: skip
-# Of what they change nothing is left where they are left out: they are refused by their own names,
+# Cards that modify a material: left out, they leave nothing. They are refused by their own names,
 # and not as another material.
 MODIFIERS = ("MAT_ADD_", "MAT_NONLOCAL")
 MODIFIERS_READ = ("MAT_ADD_EROSION", "MAT_ADD_DAMAGE_GISSMO", "MAT_ADD_DAMAGE_DIEM")

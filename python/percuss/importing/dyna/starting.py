@@ -64,7 +64,7 @@ def list_own_nodes(deck: KeywordDeck, body: str) -> list[int]:
 
 
 def find_body_start(deck: KeywordDeck, body: str) -> dict[str, float] | None:
-    """Initial velocity of its mass centre; None where it turns, so that the velocity of the centre is not known here."""
+    """Initial velocity of its mass centre; None where it rotates, so that this is not known here."""
     for entry in reversed(deck.model.deck.get("initial", [])):
         if entry.get("body") == body:
             return by_direction(read_start(entry))

@@ -41,7 +41,7 @@ def find_option(contact: Contact) -> int:
 
 
 def find_strengths(contact: Contact) -> Deck:
-    """Strengths of a tie that breaks where (tension / NFLS)^2 + (shear stress / SFLS)^2 reaches 1; empty: of no such tie."""
+    """Strengths of a tie that breaks where (tension / NFLS)^2 + (shear / SFLS)^2 reaches 1; empty: of no such tie."""
     row = contact.failure
     if row is None or ("AUTOMATIC" in contact.keyword and find_option(contact) not in (2, 3)):
         return {}

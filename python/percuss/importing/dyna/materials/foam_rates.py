@@ -148,7 +148,7 @@ def raise_falls(deck: KeywordDeck, row: Row, points: Points) -> Points:
 
 def thin(deck: KeywordDeck, card: Card, row: Row, curves: Curves,
          is_log: bool) -> list[list[float | list[list[float]]]]:
-    """At most so many rates and rows as percuss takes; [0, 0] stays."""
+    """At most as many rates and rows as percuss takes; [0, 0] stays."""
     if curves[0][1][0][0] < 0:
         if len(curves) > MOST_RATES:
             raise BadInput(row.place, f"the table has {len(curves)} rates with rows of tension "

@@ -160,7 +160,7 @@ def note_viscosity(deck: KeywordDeck, row: Row, name: str) -> None:
 
 
 def find_bulk_modulus(law: Deck) -> float:
-    """From Young's modulus."""
+    """Bulk modulus from Young's modulus."""
     return float(law["youngs_modulus"] / (3 * (1 - 2 * law["poissons_ratio"])))
 
 
