@@ -40,8 +40,8 @@ WallSums sum_wall_impulses(const WorkSpace& space, int first_row, const Rows3<co
 WallPush sum_wall_push(const WorkSpace& space, int first_row, int wall, const Point3& direction,
                        const RowSystem& system, RowSumMemory& memory);
 
-/// Of the nodes that a wall would meet in the step at its speed, if only it pushed them: the sum of their masses, and
-/// of these times the speed at which each would just touch it. looks_inside: as RowInputs has it.
+/// Sums over the nodes that a wall would meet in the step at its speed, if only it pushed them: their masses, and their
+/// masses times the speed at which each would just touch the wall. looks_inside: as RowInputs has it.
 WallMeeting sum_wall_meeting(const WorkSpace& space, int wall, const WallPairs& walls, const RowInputs& inputs,
                              RowSumMemory& memory);
 

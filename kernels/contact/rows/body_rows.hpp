@@ -21,7 +21,7 @@ void list_body_places(const WorkSpace& space, RowSystem& system);
 /// Sums over the owned places of each body, six a body: of the absolute coefficients S and their bounds |r| x S.
 std::vector<ExactSum> sum_body_coefficients(const WorkSpace& space, RowSystem& system);
 
-/// With those sums of all ranks: S of the places of bodies such that S times the compliance is their share of D.
+/// Sets, by those sums of all ranks, S of the places of bodies such that S times the compliance is their share of D.
 void spread_body_coefficients(const WorkSpace& space, const std::vector<ExactSum>& sums, RowSystem& system);
 
 /// Rows between nodes of one body move nothing: they are held.

@@ -104,8 +104,8 @@ PERCUSS_FLATTEN KOKKOS_FUNCTION void advance_pack(RowPack& pack, const Rows4<dou
   add_change(pack, change, query, sums);
 }
 
-/// In each stretch of rows those that want something first, so that packs of others may rest; both kinds ascending. The
-/// stretches are short, so that threads share the work evenly, each of rows that have nodes in common.
+/// Puts the rows marked in `wants` first in each stretch of rows, so that packs of others may rest; both kinds
+/// ascending. The stretches are short, so that threads share the work evenly, each of rows that have nodes in common.
 void order_rows(const WorkSpace& space, const Array<const int>& wants, int num_rows, RowPacks& packs) {
   constexpr int stretch = 64 * RowPack::lanes;
   reserve(packs.order, num_rows);

@@ -182,7 +182,7 @@ void group_entries(const WorkSpace& space, const EntryNodes& entries, const RowK
         place_of_entry(num_local + k) = remote_place(k);
         value(num_local + k) = num_local + k;
       });
-  // Of slots not in use there is no key.
+  // Slots not in use have no key.
   group_by_key(space, {num_entries, place_of_entry, value, nowhere}, {system.count, system.offset, system.entry});
   const Array<int> nodes = system.nodes, entry = system.entry, offset = system.offset;
   const Array<const std::int64_t> remote_key = system.remote_key;

@@ -58,7 +58,8 @@ double find_largest_move(const WorkSpace& space, const Array<const int>& nodes, 
 double find_largest_travel(const WorkSpace& space, const Array<const int>& nodes, const SurfaceMotion& motion,
                            const Rows3<const double>& origin);
 
-/// The same with distances in place of their largest components; in between, in the step, no node is farther away.
+/// As find_largest_travel(), with distances in place of their largest components. Within the step no node is farther
+/// away.
 double find_largest_distance(const WorkSpace& space, const Array<const int>& nodes, const SurfaceMotion& motion,
                              const Rows3<const double>& origin);
 

@@ -40,8 +40,8 @@ class _Buffer:
 
 
 def write_glb(selection: Selection, field: str | None = None) -> bytes:
-    """Bytes of the file. field: what colours show, in the last frame; None for a colour for each part. Only elements
-    that are active in the last frame are shown. Lengths are in metres where the deck has units."""
+    """Bytes of the file. field: the field shown as colour, in the last frame; None for a colour for each part. Only
+    elements that are active in the last frame are shown. Lengths are in metres where the deck has units."""
     fields, frames = selection.fields, selection.frames
     scale = _find_scale(fields)
     positions = [fields.positions(frame) * scale for frame in frames]
