@@ -5,7 +5,7 @@ import math
 import operator
 import re
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ..fields import clip
 from ..ledger import BadInput, Place, missing

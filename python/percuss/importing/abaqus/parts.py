@@ -152,7 +152,7 @@ def build_part(deck: AbaqusDeck, section: Section, number: int, material: str, l
 
 
 def is_fluid(deck: AbaqusDeck, part: Part) -> bool:
-    return deck.model.materials[part.keys["material"]]["model"] == "fluid"
+    return bool(deck.model.materials[part.keys["material"]]["model"] == "fluid")
 
 
 def add_controls(deck: AbaqusDeck, section: Section, part: Part) -> None:
