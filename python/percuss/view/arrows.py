@@ -1,8 +1,6 @@
 """Vectors of the view: arrows at some nodes of the surface."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -10,11 +8,9 @@ from percuss.results.arrays import Array
 from percuss.results.fields import Fields
 from percuss.results.units import choose_unit
 
-if TYPE_CHECKING:
-    from .surface import Content, Shape
+from .shape import Content, Shape
 
-MOST_ARROWS, FEWER_ARROWS = 1500, 300  # FEWER: where all does not fit
-SMALL = 0.01  # share of the longest one: nodes that never come to that get no arrow
+SMALL = 0.01  # of the longest one: nodes that never come to that get no arrow
 STEPS = 32767
 
 

@@ -9,8 +9,9 @@ from percuss.render.skin import are_lines
 from percuss.results.arrays import Array
 from percuss.results.fields import Fields
 
-from .arrows import FEWER_ARROWS, list_vectors
-from .surface import MOST_VOLUMES, Content, Packed, encode, pack
+from .arrows import list_vectors
+from .shape import FEWER_ARROWS, Content
+from .surface import MOST_VOLUMES, Packed, encode, pack
 
 MOST_FRAMES = 60
 FEWEST_FRAMES = 24  # before anything else is left out

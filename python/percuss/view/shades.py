@@ -1,8 +1,6 @@
 """A field of the view: one byte an item and frame, the ends of its bar, and where it is largest."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -13,8 +11,7 @@ from percuss.results.arrays import Array
 from percuss.results.fields import Fields
 from percuss.results.units import choose_unit
 
-if TYPE_CHECKING:
-    from .surface import Content, Shape
+from .shape import Content, Shape
 
 
 def describe_field(fields: Fields, name: str, shape: Shape, content: Content) -> tuple[dict[str, Any], Array]:

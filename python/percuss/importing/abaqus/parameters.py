@@ -5,13 +5,10 @@ import math
 import operator
 import re
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from ..fields import clip
 from ..ledger import BadInput, Place, missing
-
-if TYPE_CHECKING:
-    from .lines import Block
+from .lines import Block
 
 Value = float | int | str
 MOST_POWER, LONGEST = 1000.0, 1000  # so that a deck cannot ask for numbers without end
@@ -38,7 +35,7 @@ class Parameters:
     def __init__(self) -> None:
         self._values: dict[str, Value] = {}
 
-    def read(self, block: "Block") -> None:
+    def read(self, block: Block) -> None:
         """Lines of the form name = expression, in Python's syntax."""
         for number, words in block.lines:
             place = block.at(number)

@@ -11,12 +11,13 @@ from . import bodies, conditions, contact, equations, general_contact, generator
 from .amplitudes import read_amplitude
 from .assembly import read_assembly
 from .axisymmetric import hold_rings, turn_rings
+from .block_reader import BlockReader
 from .cohesive import add_layers
 from .damage import finish_failure
 from .deck import AbaqusDeck, MaterialBlocks
 from .embedded import read_embedded
 from .instances import place_instances
-from .lines import Block, BlockReader
+from .lines import Block
 from .masses import read_mass_scaling
 from .mesh import BodyCard, Scope, read_elements, read_instance, read_set, read_surface
 from .options import OF_MATERIALS, OTHERS, check_options, complete_keyword, describe_lost, squeeze

@@ -1,18 +1,14 @@
-"""*PARAMETER and the expressions of *PARAMETER_EXPRESSION."""
+"""Values by name that stand in fields, and expressions of them."""
 
 import copy
 import math
 import re
 from bisect import bisect_right
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from ..fields import clip, parse_real
-from ..ledger import BadInput, Ledger, Place, missing
+from ..ledger import BadInput, Place, missing
 from .transforms import UNCHANGED, FileChange
-
-if TYPE_CHECKING:
-    from .cards import Card
 
 NAME = re.compile(r"&([A-Za-z_][A-Za-z0-9_]*)")
 TOKEN = re.compile(r"\s*(?:(\d+\.?\d*(?:[eEdD][+-]?\d{1,4})?|\.\d+(?:[eEdD][+-]?\d{1,4})?)|&?([A-Za-z_]\w*)|(\*\*|"
@@ -68,26 +64,10 @@ class Parameters:
             return str(evaluate(words, self, place))
         value = NAME.sub(lambda found: str(self.find(found.group(1), place)), words)
         return value[2:] if value.startswith("--") else value
+    def root(self) -> "Parameters":
+        return self._outer.root() if self._outer else self
 
-    def read(self, card: "Card", ledger: Ledger) -> None:
-        """Reads a *PARAMETER card."""
-        words = card.keyword.split("_")[1:]
-        if words == ["DUPLICATION"]:
-            ledger.ignored(card.keyword, card.place, "a second value of a parameter is an error here")
-            return
-        if any(word not in ("EXPRESSION", "LOCAL", "MUTABLE", "GLOBAL", "TYPE") for word in words):
-            ledger.refuse(card.keyword, card.place, "this form of parameters")
-            return
-        scope = self if "LOCAL" in words else self._root()
-        pairs = self._read_expressions(card) if "EXPRESSION" in words else self._read_values(card)
-        for number, word, value in pairs:
-            scope._define(word, value, card.at(number), "MUTABLE" in words)
-            ledger.translated(card.keyword, card.place, "values are put in place")
-
-    def _root(self) -> "Parameters":
-        return self._outer._root() if self._outer else self
-
-    def _define(self, word: str, value: Value, place: Place, is_mutable: bool) -> None:
+    def define(self, word: str, value: Value, place: Place, is_mutable: bool) -> None:
         kind, name = word[:1].upper(), word[1:].strip().upper()
         if kind not in ("R", "I", "C") or not name:
             raise BadInput(place, f"'{clip(word)}' is no parameter (R, I or C and its name are expected)")
@@ -101,37 +81,6 @@ class Parameters:
         if not values or values[-1][1] != value:
             self._count[0] += 1
             values.append((self._count[0], value))
-
-    def _read_values(self, card: "Card") -> "list[tuple[int, str, Value]]":
-        pairs: list[tuple[int, str, Value]] = []
-        for line in card.lines:
-            texts = card.split(line, (10,) * 8)
-            texts = texts[:2] if "TYPE" in card.keyword else texts  # behind the value stands what it is an id of
-            for word, text in zip(texts[::2], texts[1::2]):
-                if not word:
-                    continue
-                value: Value | None = text if word[:1] in "cC" else parse_real(text)
-                if value is None:
-                    raise BadInput(card.at(line[0]),
-                                   f"the value of {clip(word)} is '{clip(text)}' (a number is expected)")
-                pairs.append((line[0], word, value))
-        return pairs
-
-    def _read_expressions(self, card: "Card") -> "list[tuple[int, str, Value]]":
-        pairs: list[tuple[int, str, Value]] = []
-        for number, line in card.lines:
-            if not line.strip():
-                continue
-            word, _, text = (
-                line.partition(",")
-                if "," in line[:11]
-                else (line[: max(10, card.least_width)], "", line[max(10, card.least_width) :])
-            )
-            value = evaluate(text.strip(), self, card.at(number))
-            scope = self if "LOCAL" in card.keyword else self._root()
-            scope._define(word.strip(), value, card.at(number), "MUTABLE" in card.keyword)
-            pairs.append((number, word.strip(), value))
-        return pairs
 
 
 def evaluate(text: str, parameters: Parameters, place: Place) -> float | int:

@@ -13,7 +13,8 @@ from . import rigid_cards as rigid
 from . import start_cards as start
 from .beam_cards import read_beams, read_rules
 from .body_holds import apply_body_holds
-from .cards import Card, CardReader
+from .card_reader import CardReader
+from .cards import Card
 from .composite_cards import read_composite
 from .constraint_cards import add_node_sets, read_node_sets
 from .contact_cards import finish_contacts, read_contact, read_defaults
