@@ -28,6 +28,18 @@ def print_text(text: object, stream: TextIO | None = None, **how: Any) -> None:
     print(shown.encode(encoding, "replace").decode(encoding), file=stream, **how)
 
 
+def join_signed(words: list[str]) -> list[str]:
+    """argparse takes '-50:22' and '-x=0' for options: such a word is joined to the option before it."""
+    joined: list[str] = []
+    for word in words:
+        signed = len(word) > 1 and word[0] == "-" and (word[1].isdigit() or word[1] in ".xyz")
+        if signed and joined and joined[-1].startswith("--") and "=" not in joined[-1]:
+            joined[-1] += "=" + word
+        else:
+            joined.append(word)
+    return joined
+
+
 def fail(tool: str, message: object, code: int = 2) -> NoReturn:
     """Ends the program with 'TOOL: error: MESSAGE'."""
     print_text(f"{tool}: error: {message}", sys.stderr)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, NoReturn
 from percuss.help_format import HelpFormatter
 from percuss.libraries import require
 from percuss.terminal import fail as end
+from percuss.terminal import join_signed
 
 if TYPE_CHECKING:
     from percuss.export.selection import Selection
@@ -64,16 +65,7 @@ def parse_arguments(words: list[str]) -> argparse.Namespace:
     add("--out", metavar="FOLDER", help="where the files go (default: DIR/export)")
     add("-f", "--force", action="store_true",
         help="write over files that percuss export has not written; never over results of a run")
-    return parser.parse_args(join_frames(words))
-
-
-def join_frames(words: list[str]) -> list[str]:
-    """argparse takes -1 for an option."""
-    joined = list(words)
-    for place in range(len(joined) - 2, -1, -1):
-        if joined[place] == "--frames":
-            joined[place : place + 2] = [f"--frames={joined[place + 1]}"]
-    return joined
+    return parser.parse_args(join_signed(words))
 
 
 def fail(message: object, code: int = 2) -> NoReturn:

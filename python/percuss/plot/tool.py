@@ -137,6 +137,7 @@ def plot(arguments: argparse.Namespace, runs: list[Run], words: list[str]) -> No
     from percuss.plot.measured import Measured
     from percuss.plot.panels import choose_panels, list_panels
     from percuss.plot.series import Options, add_expressions, choose_abscissa, prepare_history
+    from percuss.results.run import label_runs
     from percuss.results.units import Units
     from percuss.terminal import print_text
 
@@ -145,7 +146,7 @@ def plot(arguments: argparse.Namespace, runs: list[Run], words: list[str]) -> No
         check_target(path, "plot", arguments.force)
     options = Options(arguments.cfc, arguments.cfc_after, "time", Units(arguments.units) if arguments.units else None,
                       arguments.start, arguments.end)
-    labels = [run.name if [r.name for r in runs].count(run.name) == 1 else run.folder for run in runs]
+    labels = label_runs(runs)
     histories = [prepare_history(run, options) for run in runs]
     known = list_panels(histories)
     words = add_expressions(words, histories, options, known)

@@ -15,8 +15,8 @@ import numpy as np
 
 from percuss.render.colors import PART_COLORS
 from percuss.report.findings import BAD, GOOD, LOOK, Finding, find_contact_loss
-from percuss.report.markup import Markup, escape, format_number, make_table, with_unit
-from percuss.report.page import note, wrap_page
+from percuss.report.markup import Markup, escape, format_number, make_table, show_value, with_unit
+from percuss.report.page import join_sections, note, wrap_page
 from percuss.report.scene import make_deck_section, make_loads_table, make_materials_table
 from percuss.results.arrays import Array
 from percuss.results.deck import Deck
@@ -59,22 +59,18 @@ class Preview:
                     ("deck", "Materials and deck", make_materials_table(self.deck) + make_loads_table(self.deck)
                      + make_deck_section(self.deck))]
         units = f" Units of the deck: {self.units.text}." if self.units else " The deck names no units."
-        links = "".join(f"<a href='#{name}'>{escape(heading)}</a>" for name, heading, text in sections if text)
-        body = f"<h1>{escape(title)}</h1><p class=soft>{escape(self.trial.deck)}.{escape(units)}</p><nav>{links}</nav>"
-        body += self._make_facts()
-        body += "".join(f"<section id={name}><h2>{escape(heading)}</h2>{text}</section>"
-                        for name, heading, text in sections if text)
-        return wrap_page(title, body, "check")
+        head = f"<h1>{escape(title)}</h1><p class=soft>{escape(self.trial.deck)}.{escape(units)}</p>"
+        return wrap_page(title, head + join_sections(sections, self._make_facts()), "check")
 
     # --- numbers ------------------------------------------------------------------------------------------------------
 
     def _make_facts(self) -> str:
         scene, trial = self.scene, self.trial
         size = " x ".join(f"{high - low:.3g}" for low, high in zip(scene["low"], scene["high"]))
-        facts = [(with_unit(float(f"{scene['total_mass']:.4g}"), self.unit("mass")), "mass"),
+        facts = [(show_value(scene["total_mass"], self.unit("mass")), "mass"),
                  (with_unit(size, self.unit("length")), "extent"),
                  (f"{scene['elements']:,}", "elements"), (f"{scene['bodies']:,}", "bodies"),
-                 (with_unit(float(f"{scene['first_step']:.4g}"), self.unit("time")), "first step"),
+                 (show_value(scene["first_step"], self.unit("time")), "first step"),
                  (f"{scene['steps']:,.0f}", "steps, predicted")]
         if trial.step_time and trial.run is not None:
             facts += [(format_seconds(scene["steps"] * trial.step_time), "run time, predicted"),
@@ -90,22 +86,22 @@ class Preview:
         rows: list[tuple[object, ...]] = []
         for number, part in enumerate(self.scene["parts"]):
             swatch = f"<i class=swatch style='background:{PART_COLORS[number % len(PART_COLORS)]}'></i>"
-            step = with_unit(float(f"{part['step']:.4g}"), self.unit("time")) if part["step"] else "-"
+            step = show_value(part["step"], self.unit("time")) if part["step"] else "-"
             if part["step"] == least:
                 step = Markup(f"<b>{escape(step)}</b>")
             rows.append((Markup(swatch + escape(part["name"])), part["material"], f"{part['elements']:,}",
-                         f"{part['nodes']:,}", with_unit(float(f"{part['mass']:.5g}"), self.unit("mass")), step,
+                         f"{part['nodes']:,}", show_value(part["mass"], self.unit("mass"), 5), step,
                          part["controlling_element"]))
-        total = with_unit(float(f"{self.scene['mass']:.5g}"), self.unit("mass"))
+        total = show_value(self.scene["mass"], self.unit("mass"), 5)
         rows.append(("all", "", f"{self.scene['elements']:,}", f"{self.scene['nodes']:,}", total,
-                     with_unit(float(f"{self.scene['first_step']:.4g}"), self.unit("time")),
+                     show_value(self.scene["first_step"], self.unit("time")),
                      self.scene["controlling_element"]))
         heading = ("part", "material", "elements", "nodes", "mass", "step", "controlled by")
         low, high = self.scene["low"], self.scene["high"]
         box = ", ".join(f"{axis} {low[i]:.6g} to {high[i]:.6g}" for i, axis in enumerate("xyz"))
         given = ""
         if abs(self.scene["total_mass"] - self.scene["mass"]) > 1e-12 * self.scene["mass"]:
-            total = with_unit(float(f"{self.scene['total_mass']:.5g}"), self.unit("mass"))
+            total = show_value(self.scene["total_mass"], self.unit("mass"), 5)
             given = ("<p class=soft>Masses are those of elements. "
                      f"With what the deck adds, or gives to rigid bodies, the scene has {escape(total)}.</p>")
         return (make_table(heading, rows, (2, 3, 4, 5)) + given
@@ -162,7 +158,7 @@ class Preview:
                             "Parts cross at the start; where their edges go through faces is red in the drawing.")]
         if not count and not overlap["edge_pairs"]:
             return [Finding(GOOD, "No surfaces overlap at the start.")] if self.scene["contact_faces"] else []
-        deepest = with_unit(float(f"{max(overlap['deepest'], overlap['deepest_edges']):.3g}"), self.unit("length"))
+        deepest = show_value(max(overlap["deepest"], overlap["deepest_edges"]), self.unit("length"), 3)
         edges = f", {overlap['edge_pairs']} pairs of edges" if overlap["edge_pairs"] else ""
         deep = f" {overlap['too_deep']} nodes are deeper than contact can hold." if overlap["too_deep"] else ""
         return [Finding(LOOK, f"Surfaces overlap at the start: {count} nodes{edges}, the deepest by {deepest}; "
@@ -186,7 +182,7 @@ class Preview:
         overlap, unit = self.scene["overlap"], self.unit("length")
 
         def length(value: float) -> str:
-            return with_unit(float(f"{value:.4g}"), unit)
+            return show_value(value, unit)
 
         text = ""
         if overlap["parts"]:

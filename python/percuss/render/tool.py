@@ -9,6 +9,7 @@ from percuss.display import NoDisplay, open_display
 from percuss.help_format import HelpFormatter
 from percuss.libraries import MissingLibrary, require
 from percuss.terminal import fail as end
+from percuss.terminal import join_signed
 
 WARNING_OF_PARAVIEW = (", which removes the package python3-paraview (on Debian 12 and 13 it and python3-vtk9 exclude "
                        "each other), or look at fields.xdmf2 with that ParaView")
@@ -97,18 +98,6 @@ def parse_arguments(words: list[str]) -> argparse.Namespace:
     add("-f", "--force", action="store_true", help="write over pictures that percuss render has not written")
     add("--fast", action="store_true", help="no ambient occlusion, less smoothing: about five times faster")
     return parser.parse_args(join_signed(words))
-
-
-def join_signed(words: list[str]) -> list[str]:
-    """argparse takes '-50:22' and '-x=0' for options: such a word is joined to the option before it."""
-    joined: list[str] = []
-    for word in words:
-        signed = len(word) > 1 and word[0] == "-" and (word[1].isdigit() or word[1] in ".xyz")
-        if signed and joined and joined[-1].startswith("--") and "=" not in joined[-1]:
-            joined[-1] += "=" + word
-        else:
-            joined.append(word)
-    return joined
 
 
 def parse_numbers(text: str, count: int, words: str) -> tuple[float, ...]:

@@ -12,7 +12,7 @@ from percuss.results.history import History
 from percuss.results.run import Run
 from percuss.results.units import choose_time_unit
 
-from .markup import make_table, with_unit
+from .markup import make_table, show_value
 
 ROUND_OFF = 1e-9  # relative: what the shortest texts of numbers leave is below
 
@@ -67,9 +67,9 @@ def make_forces_table(run: Run) -> str:
         top = int(np.argmax(size))
         impulse = find_impulse(history, name)
         mean = np.linalg.norm(impulse) / (history["time"][-1] - history["time"][0])
-        rows.append((name, describe_kind(run, name), _show(size[top], force_unit),
-                     _show(history["time"][top] * factor, shown_unit),
-                     "(" + ", ".join(f"{x:.4g}" for x in impulse) + ")", _show(mean, force_unit),
+        rows.append((name, describe_kind(run, name), show_value(size[top], force_unit),
+                     show_value(history["time"][top] * factor, shown_unit),
+                     "(" + ", ".join(f"{x:.4g}" for x in impulse) + ")", show_value(mean, force_unit),
                      *(_show_peak(history, f"{quantity}:{name}") for quantity in ("normal", "area", "pressure"))))
     unit = f" [{force_unit} {time_unit}]" if force_unit else ""
     heading = ("force", "of", "largest resultant", "at", f"impulse{unit}", "mean", "largest normal force",
@@ -84,11 +84,7 @@ def _show_peak(history: History, column: str) -> str:
     """The largest value; nothing where there is no such column, or none in it."""
     if column not in history or not np.any(np.isfinite(history[column])):
         return ""
-    return _show(find_size(history[column]), history.unit(column))
-
-
-def _show(value: float, unit: str) -> str:
-    return with_unit(float(f"{value:.4g}"), unit)
+    return show_value(find_size(history[column]), history.unit(column))
 
 
 Balance = tuple[str, float, float, float, str]  # the last: a column, or words
@@ -138,9 +134,9 @@ def make_balance_table(run: Run) -> str:
     for what, total, whole, difference, column in find_balances(run.history, have_sets_masses(run.deck)):
         unit = run.history.unit(column)
         verdict = "in balance" if difference <= ROUND_OFF else "not the same: not every share has a column"
-        rows.append((what, _show(total, unit), _show(whole, unit), f"{difference:.2g}", verdict))
+        rows.append((what, show_value(total, unit), show_value(whole, unit), f"{difference:.2g}", verdict))
     unit = run.history.unit("momentum_x") if "momentum_x" in run.history else ""
-    rows += [(f"impulse of {name}", _show(size, unit), _show(change, unit), f"{difference:.2g}", verdict)
+    rows += [(f"impulse of {name}", show_value(size, unit), show_value(change, unit), f"{difference:.2g}", verdict)
              for name, size, change, difference, verdict in find_momentum_balances(run)]
     if not rows:
         return ""

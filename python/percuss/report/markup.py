@@ -23,6 +23,12 @@ def make_table(heading: Sequence[str] | None, rows: Iterable[Sequence[object]], 
     return f"<table>{head}{''.join(row('td', values) for values in rows)}</table>"
 
 
+def make_filled_table(heading: Sequence[str], rows: Sequence[Sequence[object]], numbers: Collection[int] = ()) -> str:
+    """The same without columns in which no row has anything."""
+    kept = [column for column in range(len(heading)) if any(row[column] for row in rows)]
+    return make_table([heading[c] for c in kept], [[row[c] for c in kept] for row in rows], numbers)
+
+
 class Markup(str):
     """A text that is HTML already."""
 
@@ -52,6 +58,11 @@ def format_number(value: Any) -> str:
     if isinstance(value, dict):
         return ", ".join(f"{key} {format_number(item)}" for key, item in value.items())
     return str(value)
+
+
+def show_value(value: float, unit: str, digits: int = 4) -> str:
+    """A number of a few digits with its unit."""
+    return with_unit(float(f"{value:.{digits}g}"), unit)
 
 
 def with_unit(value: Any, unit: str) -> str:

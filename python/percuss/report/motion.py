@@ -9,7 +9,7 @@ from percuss.results.fields import Fields
 from percuss.results.run import Run
 from percuss.results.units import choose_unit
 
-from .markup import make_table
+from .markup import make_filled_table
 
 SMALL_MOTION = 1e-3   # share of the size of the scene: a part that moves less stays where it is
 SMALL_STRETCH = 0.02  # change of an extent that is put in words
@@ -147,10 +147,8 @@ def make_motion_table(run: Run) -> str:
     in_unit, in_speed = (f" [{unit}]" if unit else "" for unit in (length, velocity))
     heading = ("part", f"mean displacement{in_unit}", "rotation [degrees]", f"mean speed, start{in_speed}", "end",
                f"extents, start{in_unit}", "end", "elements lost")
-    kept = [column for column in range(len(heading)) if any(row[column] for row in rows)]
     if not rows:
         return ""
-    return ("<h3>Motion of parts</h3>"
-        + make_table([heading[c] for c in kept], [[row[c] for c in kept] for row in rows]) +
-        ("<p class=soft>From the first frame to the last. Means over the nodes of active elements; extents along x, "
-         "y and z, those at the end without the mean rotation. Speeds are magnitudes of the mean velocity.</p>"))
+    return ("<h3>Motion of parts</h3>" + make_filled_table(heading, rows)
+            + "<p class=soft>From the first frame to the last. Means over the nodes of active elements; extents along "
+              "x, y and z, those at the end without the mean rotation. Speeds are magnitudes of the mean velocity.</p>")

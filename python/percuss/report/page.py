@@ -14,7 +14,7 @@ from percuss.render.mirrors import find_symmetry
 from percuss.render.selection import check_field
 from percuss.results.fields import Fields
 from percuss.results.history import History
-from percuss.results.run import Run
+from percuss.results.run import Run, label_runs
 from percuss.results.units import choose_time_unit, choose_unit, format_time
 from percuss.terminal import print_text
 from percuss.view.embed import describe_view, embed_view
@@ -25,7 +25,7 @@ from .answers import make_answers
 from .curves import make_curves
 from .findings import find_findings, find_peaks
 from .forces import make_balance_table, make_forces_table
-from .markup import escape, make_table, with_unit
+from .markup import escape, make_table, show_value, with_unit
 from .motion import make_motion_table
 from .pictures import Worst, choose_field, differ, draw_pictures, find_range
 from .signals import make_accelerometers_table
@@ -41,7 +41,7 @@ def note(text: str) -> None:
 
 def make_page(runs: list[Run], options: Any) -> str:
     """The text of the page. options: field, view, pictures, interactive, plot, x, units."""
-    labels = [run.name if [r.name for r in runs].count(run.name) == 1 else run.folder for run in runs]
+    labels = label_runs(runs)
     title = runs[0].title if len(runs) == 1 else "Comparison: " + ", ".join(labels)
     parts = [f"<h1>{escape(title)}</h1>", _make_subtitle(runs)]
     sections = []
@@ -65,11 +65,18 @@ def make_page(runs: list[Run], options: Any) -> str:
                      "".join(_make_scene(run, label, len(runs) > 1) for run, label in zip(runs, labels))))
     if len(runs) == 1 and runs[0].summary:
         sections.append(("cost", "What it cost", scene.make_cost_section(runs[0].summary)))
-    links = "".join(f"<a href='#{name}'>{escape(heading)}</a>" for name, heading, text in sections if text)
-    parts += [f"<nav>{links}</nav>", scene.make_facts(runs[0]) if len(runs) == 1 else ""]
-    parts += [f"<section id={name}><h2>{escape(heading)}</h2>{text}</section>"
-              for name, heading, text in sections if text]
-    return wrap_page(title, "".join(parts))
+    facts = scene.make_facts(runs[0]) if len(runs) == 1 else ""
+    return wrap_page(title, "".join(parts) + join_sections(sections, facts))
+
+
+def join_sections(sections: list[tuple[str, str, str]], facts: str = "") -> str:
+    """Links to the sections, the boxes of facts, and the sections: (name, heading, text);
+    those without text left out."""
+    sections = [section for section in sections if section[2]]
+    links = "".join(f"<a href='#{name}'>{escape(heading)}</a>" for name, heading, _ in sections)
+    shown = "".join(f"<section id={name}><h2>{escape(heading)}</h2>{text}</section>"
+                    for name, heading, text in sections)
+    return f"<nav>{links}</nav>{facts}{shown}"
 
 
 def wrap_page(title: str, body: str, tool: str = "report") -> str:
@@ -132,7 +139,7 @@ def _show_pictures(fields: Fields, name: str, worst: Worst | None, frames: list[
     extreme = sentence = ""
     if worst is not None:
         unit, factor = choose_unit(fields.unit_of(name), abs(worst.value))
-        extreme = f"largest {label_of(name)}: {with_unit(float(f'{worst.value * factor:.4g}'), unit)} in {worst.text}"
+        extreme = f"largest {label_of(name)}: {show_value(worst.value * factor, unit)} in {worst.text}"
         sentence = f"<p>{escape(extreme[0].upper() + extreme[1:])}, frame {worst.frame}.</p>"
     if not options.pictures:
         return sentence

@@ -12,7 +12,7 @@ from percuss.results.run import Run
 from percuss.results.units import choose_time_unit
 from percuss.watch.screen import format_duration
 
-from .markup import Markup, escape, fold, format_number, make_table, show_deck, with_unit
+from .markup import Markup, escape, fold, format_number, make_filled_table, make_table, show_deck, show_value, with_unit
 
 KINDS = ("beams", "triangles", "quadrilaterals", "tetrahedra", "pyramids", "wedges", "hexahedra")
 
@@ -30,7 +30,7 @@ def make_facts(run: Run) -> str:
     loop = (summary["loop_s"] or 0) + ((summary.get("earlier") or {}).get("loop_s") or 0)
     facts = [
         (run.status, "status"),
-        (with_unit(float(f"{summary['time'] * factor:.4g}"), unit), "simulated time"),
+        (show_value(summary["time"] * factor, unit), "simulated time"),
         (f"{summary['steps']:,}", "steps"),
         (f"{summary['elements']:,}", "elements"),
         (f"{summary['contact_faces']:,}", "contact faces"),
@@ -63,11 +63,10 @@ def make_parts_table(run: Run) -> str:
         if run.has_history and len(run.history) and f"mass:{name}" in run.history:
             mass = with_unit(float(run.history[f"mass:{name}"][0]), unit_of(run, "mass"))
         swatch = f"<i class=swatch style='background:{PART_COLORS[number % len(PART_COLORS)]}'></i>"
-        rows.append((Markup(swatch + escape(name)), counts, f"{len(points):,}", with_unit(size, length), mass,
-                     run.deck.get(f"parts.{name}.material", "")))
+        rows.append((Markup(swatch + escape(name)), counts, f"{len(points):,}", with_unit(size, length),
+                     mass, run.deck.get(f"parts.{name}.material", "")))
     heading = ("part", "elements", "nodes", "size at the start", "mass", "material")
-    kept = [column for column in range(len(heading)) if any(row[column] for row in rows)]
-    return make_table([heading[c] for c in kept], [[row[c] for c in kept] for row in rows], numbers=(2,))
+    return make_filled_table(heading, rows, numbers=(2,))
 
 
 def find_kind(corners: Array) -> int:
@@ -110,9 +109,9 @@ def make_relaxation_table(run: Run) -> str:
     rows = [("state", relaxation["state"]), ("damped steps", f"{relaxation['damped_steps']:,}"),
             ("residual: kinetic energy over the scale",
              f"{relaxation['kinetic_ratio']:.3g} (tolerance {format_number(tolerance)})"),
-            ("scale of the energy", with_unit(float(f"{relaxation['scale']:.4g}"), energy)),
-            ("lowest frequency", with_unit(float(f"{relaxation['frequency']:.4g}"), frequency)),
-            ("energy held at time 0", with_unit(float(f"{relaxation['energy']:.4g}"), energy))]
+            ("scale of the energy", show_value(relaxation["scale"], energy)),
+            ("lowest frequency", show_value(relaxation["frequency"], frequency)),
+            ("energy held at time 0", show_value(relaxation["energy"], energy))]
     preloads = run.deck.get_map("start.preload")
     for name, preload in preloads.items():
         if isinstance(preload, dict):

@@ -11,7 +11,7 @@ from percuss.results.history import History
 from percuss.results.run import Run
 from percuss.results.units import choose_time_unit
 
-from .markup import make_table, with_unit
+from .markup import make_table, show_value
 
 CLASS = 180
 PERIODS_AT_REST = 10  # of the cut-off frequency, before and after the signal
@@ -59,11 +59,11 @@ def make_accelerometers_table(run: Run) -> str:
         cells = [""] * 6
         try:
             peak, time, parts = find_filtered_peak(history, name)
-            cells = [_show(peak, unit), f"{peak * in_si / GRAVITY:.4g}",
-                     _show(time * factor, shown_unit), *(_show(part, unit) for part in parts)]
+            cells = [show_value(peak, unit), f"{peak * in_si / GRAVITY:.4g}",
+                     show_value(time * factor, shown_unit), *(show_value(part, unit) for part in parts)]
         except ValueError as error:
             troubles.append(f"{name}: {error}.")
-        rows.append((name, *cells, _show(find_size(raw), unit)))
+        rows.append((name, *cells, show_value(find_size(raw), unit)))
     heading = ("accelerometer", f"largest resultant, CFC {CLASS}", "in g", "at", "largest x", "largest y", "largest z",
                "resultant without filter")
     text = "<h3>Accelerometers</h3>" + make_table(heading, rows, range(1, 8))
@@ -75,7 +75,3 @@ def make_accelerometers_table(run: Run) -> str:
         soft += (" The run is shorter than a period of the filter, "
                  f"{1e3 / find_cutoff(CLASS):.3g} ms: it takes most of the peaks away.")
     return text + f"<p class=soft>{' '.join([soft, *dict.fromkeys(troubles)])}</p>"
-
-
-def _show(value: float, unit: str) -> str:
-    return with_unit(float(f"{value:.4g}"), unit)

@@ -7,6 +7,7 @@ from typing import NoReturn
 from percuss.help_format import HelpFormatter
 from percuss.libraries import require
 from percuss.terminal import fail as end
+from percuss.terminal import join_signed
 
 NEEDS = ("numpy", "h5py", "matplotlib")
 WISHES = ("vtkmodules.vtkRenderingOpenGL2", "PIL.Image", "yaml")
@@ -66,16 +67,7 @@ def parse_arguments(words: list[str]) -> argparse.Namespace:
     add("--no-pictures", dest="pictures", action="store_false", help="leave the pictures out (they need VTK)")
     add("--no-view", dest="interactive", action="store_false",
         help="leave the interactive view out (it takes about 2 MB)")
-    return parser.parse_intermixed_args(join_view(words))
-
-
-def join_view(words: list[str]) -> list[str]:
-    """argparse takes -50:22 for an option."""
-    joined = list(words)
-    for place in range(len(joined) - 2, -1, -1):
-        if joined[place] == "--view":
-            joined[place : place + 2] = [f"--view={joined[place + 1]}"]
-    return joined
+    return parser.parse_intermixed_args(join_signed(words))
 
 
 def fail(message: object) -> NoReturn:

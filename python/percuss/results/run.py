@@ -36,6 +36,12 @@ def describe_limit(status: str, summary: dict[str, Any]) -> str:
     return f"stopped by time.max_steps at {100 * time / end:.2g} % of time.end"
 
 
+def label_runs(runs: list[Run]) -> list[str]:
+    """The name of each, or its folder where several have one name."""
+    names = [run.name for run in runs]
+    return [run.name if names.count(run.name) == 1 else run.folder for run in runs]
+
+
 class Run:
     """Attributes: folder, name, and, each read when it is first asked for: summary, warnings, status, deck, units,
     history, fields, field_outputs. reload() forgets what has been read, so that a run that goes on can be followed."""

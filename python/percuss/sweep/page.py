@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from percuss.plot.drawing import COLORS, SETTINGS, write_svg
 from percuss.report.markup import Markup, escape, format_number, make_table
-from percuss.report.page import wrap_page
+from percuss.report.page import join_sections, wrap_page
 from percuss.sweep.statistics import correlate, find_main_effect, place_inputs, rank
 from percuss.sweep.table import name_rules
 
@@ -27,11 +27,8 @@ def make_page(deck: str, table: Table, links: dict[int, str]) -> str:
     sections = [("table", "Designs", _make_table(table, links)), ("warnings", "Warnings", _list_warnings(table)),
                 ("effects", "Designs and main effects", _draw_effects(table, done)),
                 ("correlation", "Correlation", _make_correlation(table, done))]
-    parts = [f"<h1>{escape('Sweep of ' + deck)}</h1>", _tell(table, done)]
-    parts.append("<nav>" + "".join(f"<a href='#{name}'>{escape(title)}</a>" for name, title, text in sections if text)
-                 + "</nav>")
-    parts += [f"<section id={name}><h2>{escape(title)}</h2>{text}</section>" for name, title, text in sections if text]
-    return wrap_page(f"Sweep of {deck}", "".join(parts), "sweep")
+    head = f"<h1>{escape('Sweep of ' + deck)}</h1>" + _tell(table, done)
+    return wrap_page(f"Sweep of {deck}", head + join_sections(sections), "sweep")
 
 
 def _tell(table: Table, done: list[Row]) -> str:

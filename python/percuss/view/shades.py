@@ -12,6 +12,7 @@ from percuss.results.fields import Fields
 from percuss.results.units import choose_unit
 
 from .shape import Content, Shape
+from .walls import round_numbers
 
 
 def describe_field(fields: Fields, name: str, shape: Shape, content: Content) -> tuple[dict[str, Any], Array]:
@@ -47,8 +48,5 @@ def _tell_largest(fields: Fields, name: str, frame: int, content: Content, facto
     places = [fields.positions(f)[nodes].mean(axis=0) for f in (0, frame)]
     if not np.isfinite(places).all():
         return None
-    return {"value": f"{value * factor:.4g}", "of": words, "start": _round(places[0]), "now": _round(places[1])}
-
-
-def _round(point: Array) -> list[float]:
-    return [float(f"{x:.7g}") for x in point]
+    return {"value": f"{value * factor:.4g}", "of": words, "start": round_numbers(places[0]),
+            "now": round_numbers(places[1])}

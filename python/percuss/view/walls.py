@@ -18,13 +18,13 @@ def describe_walls(fields: Fields, frames: Array, low: Array, size: Array) -> li
     corners = np.array([low + size * np.array([i & 1, i >> 1 & 1, i >> 2]) for i in range(8)])
     places = [[wall[0] for wall in (*fields.walls_at(frame), *fields.round_walls_at(frame))] for frame in (0, *frames)]
     moves = np.asarray(places[1:]) - np.asarray(places[0])
-    found: list[dict[str, Any]] = [{"plates": span_wall(*wall, corners), "normal": _round(wall[1])}
+    found: list[dict[str, Any]] = [{"plates": span_wall(*wall, corners), "normal": round_numbers(wall[1])}
                                    for wall in fields.walls_at(0)]
     found += [{"plates": span_round_wall(*wall, corners, AROUND)} for wall in fields.round_walls_at(0)]
-    return [{**wall, "plates": _round(wall["plates"]),
-             "moves": [_round(move) for move in moves[:, number]] if moves[:, number].any() else []}
+    return [{**wall, "plates": round_numbers(wall["plates"]),
+             "moves": [round_numbers(move) for move in moves[:, number]] if moves[:, number].any() else []}
             for number, wall in enumerate(found)]
 
 
-def _round(values: Array) -> list[float]:
+def round_numbers(values: Array) -> list[float]:
     return [float(f"{x:.7g}") for x in np.reshape(values, -1)]

@@ -7,14 +7,13 @@ from ..fields import clip
 from ..ledger import Place
 from ..model import Deck
 from .axisymmetric import hold_bodies, split_turned
-from .deck import AbaqusDeck, RigidGroup
+from .deck import AXES, AbaqusDeck, RigidGroup
 from .equations import add_driven
 from .followers import follow, list_leaders
 from .lines import Block, Line
 from .speeds import Speeds
 from .timeline import DISPLACEMENT, FIXED, VELOCITY, Action, Target, Window, is_whole, make_motion, split_groups
 
-AXES = ("x", "y", "z", "rx", "ry", "rz")
 NAMED = {"ENCASTRE": AXES, "PINNED": AXES[:3], "XSYMM": ("x", "ry", "rz"), "YSYMM": ("y", "rx", "rz"),
          "ZSYMM": ("z", "rx", "ry"), "XASYMM": ("y", "z", "rx"), "YASYMM": ("x", "z", "ry"),
          "ZASYMM": ("x", "y", "rz")}  # fmt: skip

@@ -16,6 +16,7 @@ from .lines import Block
 from .mesh import PLANES, RINGS, SHELLS, SIDES, SOLIDS, STRAINED, BodyCard, Instance, Scope
 from .timeline import StepTime, Target, Timeline, shift_points
 
+AXES = ("x", "y", "z", "rx", "ry", "rz")
 T = TypeVar("T")
 FLAT = {**STRAINED, **RINGS}  # elements in a plane, with their corners there
 

@@ -2,11 +2,10 @@
 *EQUATION, *MPC PIN, and *COUPLING that leaves directions free."""
 
 from ..ledger import Place
-from .deck import AbaqusDeck, Following
+from .deck import AXES, AbaqusDeck, Following
 from .mesh import BodyCard
 from .timeline import FIXED, Window, is_whole
 
-AXES = ("x", "y", "z", "rx", "ry", "rz")
 TURNS = AXES[3:]
 
 

@@ -7,8 +7,8 @@ from ..fields import clip
 from ..ledger import BadInput, Place
 from ..model import Deck
 from .axisymmetric import SHARE, refuse_in_ring, share_force
-from .conditions import AXES, refuse_other_axes
-from .deck import AbaqusDeck, Following
+from .conditions import refuse_other_axes
+from .deck import AXES, AbaqusDeck, Following
 from .followers import list_leaders
 from .lines import Block, Line
 from .planes import list_edges, write_traction

@@ -3,11 +3,10 @@ or from what moved the node in the steps before."""
 
 from ..curves import differentiate, order_points
 from ..shapes import cross, subtract
-from .deck import AbaqusDeck, RigidGroup
+from .deck import AXES, AbaqusDeck, RigidGroup
 from .followers import list_leaders
 from .timeline import DISPLACEMENT, FIXED, Window, interpolate_steps
 
-AXES = ("x", "y", "z", "rx", "ry", "rz")
 Speed = float | None  # None: not known
 
 

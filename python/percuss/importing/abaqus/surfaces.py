@@ -9,7 +9,7 @@ from ..curves import Curve, differentiate, make_time_value
 from ..ledger import BadInput, Place
 from ..model import Deck, Vector
 from ..shapes import cross, dot, make_vector, normalise, subtract
-from .deck import AbaqusDeck, RigidGroup
+from .deck import AXES, AbaqusDeck, RigidGroup
 from .lines import Block
 from .mesh import BodyCard, Profile, Scope
 from .rigid_shells import add_rigid_shells
@@ -20,7 +20,6 @@ WORDS = {"START": 2, "LINE": 2, "CIRCL": 4, "PARAB": 4}
 LEFT_OUT = "it is left out"
 NEAR = 1e-6  # share of a radius
 AROUND, ALONG, PER_ARC = 48, 20, math.radians(5.0)  # rigid shells around an axis, along a line, and of an arc
-EVERYWHERE = ("x", "y", "z", "rx", "ry", "rz")
 
 
 def read_profile(scope: Scope, block: Block) -> None:
@@ -172,7 +171,7 @@ def finish_wall(deck: AbaqusDeck, group: RigidGroup) -> None:
 
 def moves_as_wall(group: RigidGroup, shape: Shape, moved: list[tuple[str, Deck]]) -> bool:
     """Held, but for one direction: of a plane that of its normal."""
-    if not set(group.held) >= set(EVERYWHERE) or len(moved) > 1 or any(d.startswith("r") for d, _ in moved):
+    if not set(group.held) >= set(AXES) or len(moved) > 1 or any(d.startswith("r") for d, _ in moved):
         return False
     return not (moved and shape.normal) or abs(shape.normal["xyz".index(moved[0][0])]) > 1 - NEAR
 

@@ -1,6 +1,6 @@
 """Cards of keyword decks: fields in columns or between commas."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import accumulate
 
@@ -172,6 +172,3 @@ def read_ids(lines: Lines, per_line: int = 8, field: str = "") -> list[int]:
             if value:
                 ids.append(value + shift)
     return ids
-
-
-Handler = Callable[..., None]

@@ -35,7 +35,7 @@ from .control_cards import (  # fmt: skip
 from .curve_cards import check_relaxation, read_curve, read_other_curve, read_smooth_curve, read_table
 from .damping_cards import read_damping
 from .database_names import KEYWORDS as DATABASES
-from .deck import KeywordDeck
+from .deck import Handler, KeywordDeck
 from .element_settings import read_hourglass, translate_hourglass, translate_integration, translate_shell_hourglass
 from .embedded_cards import read_bars_in_solids, read_beams_in_solids
 from .forms import OPTIONS, find_form, list_keywords
@@ -76,8 +76,6 @@ from .turn_spring_cards import add_turn_springs, read_turn_springs
 from .unused import note_definitions
 from .wall_cards import read_wall
 from .weld_cards import add_welds, read_welds
-
-Handler = Callable[[KeywordDeck, Card], None]
 
 
 def read_title(deck: KeywordDeck, card: Card) -> None:
@@ -165,8 +163,7 @@ IGNORED = {
 # Cards that modify a material: left out, they leave nothing. They are refused by their own names,
 # and not as another material.
 MODIFIERS = ("MAT_ADD_", "MAT_NONLOCAL")
-MODIFIERS_READ = ("MAT_ADD_EROSION", "MAT_ADD_DAMAGE_GISSMO", "MAT_ADD_DAMAGE_DIEM")
-READ_LATER = ("MAT_ADD_EROSION", "MAT_ADD_DAMAGE_GISSMO", "MAT_ADD_DAMAGE_DIEM")  # when more is known
+MODIFIERS_READ = ("MAT_ADD_EROSION", "MAT_ADD_DAMAGE_GISSMO", "MAT_ADD_DAMAGE_DIEM")  # when more is known
 
 
 def find_handler(table: dict[str, Handler], keyword: str) -> str | None:
@@ -253,7 +250,7 @@ def apply(deck: KeywordDeck, card: Card, handler: Handler) -> None:
     except BadInput as error:
         deck.ledger.note_fault(error)
         return
-    surplus = card.find_surplus() if card.keyword not in READ_LATER else 0
+    surplus = card.find_surplus() if card.keyword not in MODIFIERS_READ else 0
     if surplus and not deck.ledger.refuses_in(card.place, surplus):
         deck.ledger.refuse(f"{card.keyword}.lines", card.at(surplus),
                            "a line that the card does not have", "it is left out")
