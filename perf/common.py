@@ -12,11 +12,14 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 # Deck, settings of a full run, settings of a quick one. Few steps of many elements: a start is not what is measured.
 SCENES = {
     "block": ("perf/block/deck.yaml", {"time.max_steps": 200}, {"time.max_steps": 60}),
-    "block_stiffness": ("perf/block/deck.yaml", {"time.max_steps": 200, "elements.hourglass": "stiffness"}, {"time.max_steps": 60}),
-    "block_full": ("perf/block/deck.yaml", {"time.max_steps": 80, "elements.integration": "full"}, {"time.max_steps": 25}),
+    "block_stiffness": ("perf/block/deck.yaml", {"time.max_steps": 200, "elements.hourglass": "stiffness"},
+                        {"time.max_steps": 60}),
+    "block_full": ("perf/block/deck.yaml", {"time.max_steps": 80, "elements.integration": "full"},
+                   {"time.max_steps": 25}),
     "wave_into_rest": ("perf/wave_into_rest/deck.yaml", {"time.max_steps": 300}, {"time.max_steps": 100}),
     "brick_wall": ("inputs/brick_wall/deck.yaml", {"time.max_steps": 400}, {"time.max_steps": 60}),
-    "brick_wall_early": ("inputs/brick_wall/deck.yaml", {"time.max_steps": 60, "parts.rod.at": "[-0.83, 0.73, 0.63]"}, {"time.max_steps": 20}),
+    "brick_wall_early": ("inputs/brick_wall/deck.yaml", {"time.max_steps": 60, "parts.rod.at": "[-0.83, 0.73, 0.63]"},
+                         {"time.max_steps": 20}),
     "can_crush": ("inputs/can_crush/deck.yaml", {"time.max_steps": 1500}, {"time.max_steps": 400}),
     "taylor_bar": ("inputs/taylor_bar/deck.yaml", {"time.max_steps": 1500}, {"time.max_steps": 400}),
     "sphere_drop": ("inputs/elastic_sphere_drop/deck.yaml", {}, {"time.max_steps": 300}),
@@ -43,12 +46,14 @@ AT_END = ["--set", "output.checkpoint.at_end=false"]  # writing a checkpoint is 
 def time_command(command, environment):
     """The finished process and the processor time of its user code."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    done = subprocess.run(command, env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
+    done = subprocess.run(command, env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                          errors="replace")
     return done, resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
 
 
 def run_scene(percuss, scene, quick, folder, threads=1, ranks=1, mpirun=""):
-    """One run; its summary, with the processor time of its user code as user_s: that of the whole run, its start included."""
+    """One run; its summary, with the processor time of its user code as user_s:
+    that of the whole run, its start included."""
     shutil.rmtree(folder, ignore_errors=True)
     command = [str(percuss), "run", str(ROOT / SCENES[scene][0]), "--quiet", "--force", "--out", str(folder)]
     for key, value in find_settings(scene, quick).items():
@@ -60,7 +65,8 @@ def run_scene(percuss, scene, quick, folder, threads=1, ranks=1, mpirun=""):
     if done.returncode == 2 and "unknown key 'at_end'" in done.stderr:  # an older program, which writes none
         done, user_s = time_command(command, environment)
     if done.returncode != 0:
-        sys.exit(f"{pathlib.Path(sys.argv[0]).name}: error: exit code {done.returncode} of: {' '.join(command)}\n{done.stderr}")
+        sys.exit(f"{pathlib.Path(sys.argv[0]).name}: error: exit code {done.returncode} of: "
+                 f"{' '.join(command)}\n{done.stderr}")
     return dict(json.loads((pathlib.Path(folder) / "summary.json").read_text()), user_s=user_s)
 
 

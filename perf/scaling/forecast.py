@@ -4,11 +4,12 @@ A step on P ranks takes
 
     work x imbalance + messages x latency + bytes / bandwidth + hops x latency
 
-with the mean work of a rank, each part with its own imbalance (or the work of the rank with most), point-to-point messages and bytes of the rank that has
-most, and for every collective operation ceil(log2(its ranks)) latencies ("hops"). Nothing overlaps. Beyond the measured
-ranks, work, messages and bytes stay as they are at the most ranks measured, but for the bisection, whose levels grow:
-its work goes on linearly in log2 P, and hops as a log2 P + b log2 P (log2 P + 1) / 2, the second term being bisection (a
-cut of each level is a tree over half as many ranks as the one before).
+with the mean work of a rank, each part with its own imbalance (or the work of the rank with most), point-to-point
+messages and bytes of the rank that has most, and for every collective operation ceil(log2(its ranks)) latencies
+("hops"). Nothing overlaps. Beyond the measured ranks, work, messages and bytes stay as they are at the most ranks
+measured, but for the bisection, whose levels grow: its work goes on linearly in log2 P, and hops as a log2 P + b log2 P
+(log2 P + 1) / 2, the second term being bisection (a cut of each level is a tree over half as many
+ranks as the one before).
 """
 import math
 
@@ -34,10 +35,10 @@ def count_levels(ranks):
 
 
 def forecast(points, shares, growth, ranks, network):
-    """Seconds of a step on `ranks` ranks, by part, and two efficiencies: the share of a rank in the work of one rank with the
-    same mesh, over that, with the mean work of a rank and with that of the busiest in each part. points: of one scaled
-    problem, ascending in ranks; shares: by ranks, in microseconds; growth: by ranks, what work is divided by because the
-    machine alone made it grow; network: latency in seconds, bandwidth in bytes a second.
+    """Seconds of a step on `ranks` ranks, by part, and two efficiencies: the share of a rank in the work of one rank
+    with the same mesh, over that, with the mean work of a rank and with that of the busiest in each part. points: of
+    one scaled problem, ascending in ranks; shares: by ranks, in microseconds; growth: by ranks, what work is divided by
+    because the machine alone made it grow; network: latency in seconds, bandwidth in bytes a second.
     """
     latency, bandwidth = network
     many = [p for p in points if p["ranks"] > 1]

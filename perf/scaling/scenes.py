@@ -1,5 +1,5 @@
-"""The two scenes of the paper's Figures 7 to 10: which mesh at which number of ranks, in contact from the first steps. And
-a third without halo and contact, as a control of the machine."""
+"""The two scenes of the paper's Figures 7 to 10: which mesh at which number of ranks, in contact from the first steps.
+And a third without halo and contact, as a control of the machine."""
 import pathlib
 import re
 
@@ -12,7 +12,8 @@ SIZES = {"1900": [], "10000": [1, 8, 64], "30000": [1, 4, 16]}
 # Cells of the scaled problems on one rank: a brick and the rod (across, along); the container and the plate; a tube.
 CELLS = {
     "brick_wall": {"1900": ([2, 3, 2], [5, 10]), "10000": ([4, 4, 4], [9, 17]), "30000": ([6, 6, 5], [13, 28])},
-    "can_crush": {"1900": ([3, 16, 34], [9, 9, 3]), "10000": ([5, 28, 62], [16, 16, 5]), "30000": ([8, 40, 81], [23, 23, 8])},
+    "can_crush": {"1900": ([3, 16, 34], [9, 9, 3]), "10000": ([5, 28, 62], [16, 16, 5]),
+                  "30000": ([8, 40, 81], [23, 23, 8])},
     "apart": {"1900": [3, 16, 39], "10000": [5, 28, 71], "30000": [8, 40, 94]},
 }
 
@@ -38,12 +39,12 @@ def find_cells(scene, size, doublings):
     return {"parts.tubes.tube.cells": own, "parts.tubes.array.count": [1, 1, 2**doublings]}
 
 
-# The plate of the can crush begins where it touches the rim, so that there is contact from the first step on; the rod of
-# the brick wall arrives within three steps anyway, and its bricks touch from the start.
+# The plate of the can crush begins where it touches the rim, so that there is contact from the first step on; the rod
+# of the brick wall arrives within three steps anyway, and its bricks touch from the start.
 START_IN_CONTACT = {"apart": {}, "brick_wall": {}, "can_crush": {"parts.plate.at": [-0.26, 0, 0.4]}}
 
-# Velocities at the start in place of those of the scene: everything moves, and the wall is pressed together. What rests is
-# skipped, and the first steps of a fine mesh would leave most ranks without work.
+# Velocities at the start in place of those of the scene: everything moves, and the wall is pressed together. What rests
+# is skipped, and the first steps of a fine mesh would leave most ranks without work.
 EVERYTHING_MOVES = {
     "brick_wall": "initial: [{part: rod, velocity: [200, 0, 0]}, {part: bricks, radial_velocity: "
                   "{speed: -10, center: [0.05, 0.73, 0.63], axis: x}}]",
@@ -85,7 +86,8 @@ def list_series(scenes, kinds, modes, sizes):
 
 def find_settings(scene, kind, mode, size, ranks, steps):
     """The --set options of a run of so many steps as a dictionary."""
-    settings = {"time.max_steps": steps * CONTROL_FACTOR if scene == CONTROL else steps, "output.checkpoint.at_end": "false"}
+    settings = {"time.max_steps": steps * CONTROL_FACTOR if scene == CONTROL else steps,
+                "output.checkpoint.at_end": "false"}
     settings.update(START_IN_CONTACT[scene])
     settings.update(MODES[mode])
     if kind != "fixed":

@@ -6,7 +6,8 @@ LOW, HIGH, TOLERANCE = 0.9, 2.5, 0.02
 
 
 def choose_contact(deck, contact):
-    """The deck with other keys in its section `contact`; OFF: without contact and walls, to see the limit of the meshes alone."""
+    """The deck with other keys in its section `contact`;
+    OFF: without contact and walls, to see the limit of the meshes alone."""
     if contact == OFF:
         return "".join(line for line in deck.splitlines(keepends=True) if not line.startswith(("contact:", "walls:")))
     return deck.replace("contact: {", f"contact: {{{contact}, ") if contact else deck

@@ -9,7 +9,8 @@ FINE = 0.01  # energy error, and negative internal energy, up to which a complet
 
 
 def judge(result):
-    """good, coarse (completed, but energy is off by more than FINE), named (exit code 3 with a message), hang, crash."""
+    """good, coarse (completed, but energy is off by more than FINE),
+    named (exit code 3 with a message), hang, crash."""
     if result.code is None:
         return "hang"
     if result.code == 3 and result.error:
@@ -21,7 +22,8 @@ def judge(result):
 
 
 def find_lowest_internal(result):
-    """Internal energy over the largest kinetic energy, where it is least: below 0 the law of the material makes energy."""
+    """Internal energy over the largest kinetic energy, where it is least:
+    below 0 the law of the material makes energy."""
     h = result.history
     if "internal" not in h or len(h["internal"]) == 0:
         return 0.0

@@ -23,9 +23,9 @@ def summarise(name, kind, steps, result):
         return {"run": name, "kind": kind, "code": result.code, "error": result.error, "steps": s.get("steps", 0)}
     total = h["kinetic"] + h["internal"] + h["hourglass"]
     angular = np.stack([h["angular_x"], h["angular_y"], h["angular_z"]])
-    row = {"run": name, "kind": kind, "code": 0, "steps": s["steps"], "seconds": result.seconds, "periods_time": s["time"],
-           "energy_error": float(np.max(np.abs(h["energy_error"]))), "linear_error": s["momentum"]["linear_error"],
-           "angular_error": s["momentum"]["angular_error"],
+    row = {"run": name, "kind": kind, "code": 0, "steps": s["steps"], "seconds": result.seconds,
+           "periods_time": s["time"], "energy_error": float(np.max(np.abs(h["energy_error"]))),
+           "linear_error": s["momentum"]["linear_error"], "angular_error": s["momentum"]["angular_error"],
            "half": float(np.max(np.abs(h["energy_error"][: len(total) // 2]))),
            "curve": {"step": h["step"].tolist(), "energy_error": h["energy_error"].tolist()}}
     if name.startswith("spin"):
@@ -44,7 +44,8 @@ def summarise(name, kind, steps, result):
 def measure_long_runs(percuss, work, kinds, steps, pile_steps, report):
     rows = []
     piles = [(name, LONG_PILE.replace("contact: {", "contact: {" + keys), pile_steps, 0.06, 1.2)
-             for name, keys in (("pile of three", ""), ("pile, lagrange", LAGRANGE + ", "), ("pile, penalty", PENALTY + ", "))]
+             for name, keys in (("pile of three", ""), ("pile, lagrange", LAGRANGE + ", "),
+                                ("pile, penalty", PENALTY + ", "))]
     for kind in kinds:
         for name, deck, count, linear, quadratic in (
                 ("bar, no viscosity", LONG_BAR, steps, 0.0, 0.0), ("spin, no viscosity", LONG_SPIN, steps, 0.0, 0.0),
@@ -54,5 +55,6 @@ def measure_long_runs(percuss, work, kinds, steps, pile_steps, report):
             row = summarise(name, kind, count, run_long(percuss, work, deck, kind, count, linear, quadratic))
             rows.append(row)
             report(f"long run, {name}, {kind}: {row['steps']} steps, " +
-                   (f"energy error {row['energy_error']:.1e}, {row['seconds']:.0f} s" if row["code"] == 0 else row["error"]))
+                   (f"energy error {row['energy_error']:.1e}, {row['seconds']:.0f} s" if row["code"] == 0
+                    else row["error"]))
     return rows

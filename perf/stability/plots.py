@@ -9,7 +9,8 @@ import numpy as np  # noqa: E402
 
 from scenes import MESH_STEP, OFF  # noqa: E402
 
-COLORS = {"assumed strain": "#0b6fb8", "stiffness": "#d1495b", "viscous": "#e09f3e", "full": "#3c8d53", MESH_STEP: "#444444"}
+COLORS = {"assumed strain": "#0b6fb8", "stiffness": "#d1495b", "viscous": "#e09f3e", "full": "#3c8d53",
+          MESH_STEP: "#444444"}
 VERDICTS = {"good": "#3c8d53", "coarse": "#e6c229", "named": "#5b8fd6", "hang": "#8b1e3f", "crash": "#000000"}
 
 
@@ -75,13 +76,14 @@ def draw_margins(rows, path):
 def draw_drift(rows, path):
     """Energy error over a million steps."""
     figure, axes = plt.subplots(figsize=(8.5, 3.4))
-    styles = dict(zip(dict.fromkeys(row["run"] for row in rows), ("-", "--", "-.", ":", (0, (1, 3)), (0, (5, 1, 1, 1, 1, 1)))))
+    styles = dict(zip(dict.fromkeys(row["run"] for row in rows),
+                      ("-", "--", "-.", ":", (0, (1, 3)), (0, (5, 1, 1, 1, 1, 1)))))
     for row in rows:
         if "curve" not in row:
             continue
         error = np.abs(np.array(row["curve"]["energy_error"]))
-        axes.semilogy(row["curve"]["step"], np.maximum(error, 1e-16), linestyle=styles[row["run"]], color=COLORS[row["kind"]], lw=1,
-                      label=f"{row['run']}, {row['kind']}")
+        axes.semilogy(row["curve"]["step"], np.maximum(error, 1e-16), linestyle=styles[row["run"]],
+                      color=COLORS[row["kind"]], lw=1, label=f"{row['run']}, {row['kind']}")
     axes.set_xlabel("step")
     axes.set_ylabel("energy error")
     axes.grid(alpha=0.3)
@@ -94,7 +96,8 @@ def draw_impacts(rows, path):
     kinds = list(dict.fromkeys(row["kind"] for row in rows))
     cases = list(dict.fromkeys((row["target"], row["material"]) for row in rows))
     speeds = sorted({row["speed"] for row in rows})
-    figure, panels = plt.subplots(1, len(kinds), figsize=(2.3 * len(kinds) + 1.6, 0.32 * len(cases) + 1.3), sharey=True, squeeze=False)
+    figure, panels = plt.subplots(1, len(kinds), figsize=(2.3 * len(kinds) + 1.6, 0.32 * len(cases) + 1.3), sharey=True,
+                                  squeeze=False)
     for panel, kind in zip(panels[0], kinds):
         for row in rows:
             if row["kind"] != kind:
@@ -107,8 +110,8 @@ def draw_impacts(rows, path):
         panel.set_title(kind, fontsize=9)
         panel.set_xlabel("speed / wave speed", fontsize=8)
     panels[0][0].set_yticks(range(len(cases)), [f"{target}, {material}" for target, material in cases], fontsize=8)
-    names = {"good": "done, energy within 1 %", "coarse": "done, energy off by 1 to 10 % or internal energy negative", "named": "stopped, cause named",
-             "hang": "hang", "crash": "crash"}
+    names = {"good": "done, energy within 1 %", "coarse": "done, energy off by 1 to 10 % or internal energy negative",
+             "named": "stopped, cause named", "hang": "hang", "crash": "crash"}
     found = [verdict for verdict in VERDICTS if any(row["verdict"] == verdict for row in rows)]
     figure.legend([plt.Rectangle((0, 0), 1, 1, color=VERDICTS[v]) for v in found], [names[v] for v in found],
                   fontsize=8, ncol=len(found), loc="lower center", bbox_to_anchor=(0.5, -0.12))

@@ -79,9 +79,11 @@ loads: {pressure: [{faces: upper/z_max, value: 50e6}]}
 contact: {friction: 0.3}
 """
 EQUAL_PRESSED = PRESSED.replace("[3, 3, 3]", "[4, 4, 4]").replace("[0.01, 0.005, 0.1]", "[0, 0, 0.1]")
-LIGHT_ON_HEAVY = PRESSED.replace("at: [0.01, 0.005, 0.1], material: steel", "at: [0.01, 0.005, 0.1], material: foam").replace(
-    "{steel: STEEL}", "{steel: STEEL, foam: {model: elastic, density: 50, youngs_modulus: 1.2e9, poissons_ratio: 0.2}}").replace(
-    "50e6", "1e6")
+LIGHT_ON_HEAVY = PRESSED.replace("at: [0.01, 0.005, 0.1], material: steel",
+                                 "at: [0.01, 0.005, 0.1], material: foam").replace(
+                                     "{steel: STEEL}", "{steel: STEEL, foam: {model: elastic, density: 50, "
+                                                       "youngs_modulus: 1.2e9, poissons_ratio: 0.2}}").replace(
+                                                       "50e6", "1e6")
 BARS = """
 time: {end: 3.0e-4}
 parts:
@@ -171,20 +173,23 @@ IMPACT_PARTS = {
     "wall, face": ("block: {box: {size: [0.1, 0.1, 0.1], cells: [4, 4, 4]}, at: [0, 0, 0.001], material: m}",
                    "walls: [{normal: z}]\ncontact: {}\n"),
     "wall, corner": ("block: {box: {size: [0.1, 0.1, 0.1], cells: [4, 4, 4]}, at: [-0.05, -0.05, -0.05], rotate: "
-                     "[{axis: z, angle: 45, center: [0.05, 0.05, 0.05]}, {axis: x, angle: 54.7356, center: [0.05, 0.05, 0.05]}], "
-                     "material: m}", "walls: [{normal: z, point: [0, 0, -0.0876]}]\ncontact: {}\n"),
-    "block, face": ("block: {box: {size: [0.1, 0.1, 0.1], cells: [4, 4, 4]}, at: [0.012, 0.007, 0.001], material: m}\n"
-                    "  other: {box: {size: [0.1, 0.1, 0.1], cells: [4, 4, 4]}, at: [0, 0, -0.1], material: m}", "contact: {}\n"),
-    "block, corner": ("block: {box: {size: [0.1, 0.1, 0.1], cells: [4, 4, 4]}, at: [-0.05, -0.05, -0.05], rotate: "
-                      "[{axis: z, angle: 45, center: [0.05, 0.05, 0.05]}, {axis: x, angle: 54.7356, center: [0.05, 0.05, 0.05]}], "
-                      "material: m}\n  other: {box: {size: [0.1, 0.1, 0.1], cells: [4, 4, 4]}, at: [-0.045, -0.052, -0.1876], material: m}",
+                     "[{axis: z, angle: 45, center: [0.05, 0.05, 0.05]}, {axis: x, angle: 54.7356, center: [0.05, "
+                     "0.05, 0.05]}], material: m}", "walls: [{normal: z, point: [0, 0, -0.0876]}]\ncontact: {}\n"),
+    "block, face": ("block: {box: {size: [0.1, 0.1, 0.1], cells: [4, 4, 4]}, at: [0.012, 0.007, 0.001], material: "
+                    "m}\n  other: {box: {size: [0.1, 0.1, 0.1], cells: [4, 4, 4]}, at: [0, 0, -0.1], material: m}",
+                    "contact: {}\n"),
+    "block, corner": ("block: {box: {size: [0.1, 0.1, 0.1], cells: [4, 4, 4]}, at: [-0.05, -0.05, -0.05], "
+                      "rotate: [{axis: z, angle: 45, center: [0.05, 0.05, 0.05]}, {axis: x, angle: 54.7356, "
+                      "center: [0.05, 0.05, 0.05]}], material: m}\n  other: {box: {size: [0.1, 0.1, 0.1], cells: [4, "
+                      "4, 4]}, at: [-0.045, -0.052, -0.1876], material: m}",
                       "contact: {}\n"),
 }
 IMPACT_SPEEDS = (0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0)
 
 
 def write_impact(target, material, speed):
-    """A block of 0.1 m arrives at `speed` wave speeds; the run lasts until waves and the block have crossed it twice."""
+    """A block of 0.1 m arrives at `speed` wave speeds;
+    the run lasts until waves and the block have crossed it twice."""
     parts, contact = IMPACT_PARTS[target]
     end = 0.2 / STEEL_SPEED + 0.2 / (STEEL_SPEED * max(speed, 0.1))
     return fill(f"time: {{end: {end!r}}}\nparts:\n  {parts}\nmaterials: {{m: {material}}}\n"

@@ -1,4 +1,5 @@
-"""The map of the step: bounds and estimates against the largest eigenvalue, over shapes, Poisson's ratios and damping."""
+"""The map of the step: bounds and estimates against the largest eigenvalue, over shapes,
+Poisson's ratios and damping."""
 import itertools
 import subprocess
 
@@ -12,7 +13,8 @@ ASPECTS = (1, 2, 5, 10, 20, 50, 100)
 POISSON = (0.0, 0.3, 0.45, 0.499)
 DAMPING = {  # linear and quadratic bulk viscosity, velocity jump over a thickness of 1 in wave speeds
     "none": (0.0, 0.0, 0.0),
-    "default": (0.06, 0.0, 0.0),  # at rest the quadratic term has no tangent; its one-sided curvature would disturb the difference
+    "default": (0.06, 0.0, 0.0),
+    # at rest the quadratic term has no tangent; its one-sided curvature would disturb the difference
     "shock": (0.06, 1.2, 0.3),
 }
 
@@ -103,7 +105,8 @@ def measure_element(x):
     m.edge = min(edges)
     corners = []
     for corner in SIGNS:
-        gradient = np.stack([SIGNS[:, k] * np.prod(np.delete(1 + SIGNS * corner, k, axis=1), axis=1) / 8 for k in range(3)])
+        gradient = np.stack([SIGNS[:, k] * np.prod(np.delete(1 + SIGNS * corner, k, axis=1), axis=1) / 8
+                             for k in range(3)])
         corners.append(8 * np.linalg.det(gradient @ x))
     m.corner_volume = min(corners)
     return m
@@ -113,9 +116,11 @@ def measure_element(x):
 
 def write_deck(path, kind, linear, quadratic, cells, poisson):
     cut, kind = ("elements: wedges, ", "stiffness") if kind == WEDGES else ("", kind)
-    parts = "".join(f"  p{i}: {{box: {{size: [1, 1, 1], cells: [{cells}, {cells}, {cells}]}}, {cut}material: m{POISSON.index(nu)}}}\n"
+    parts = "".join(f"  p{i}: {{box: {{size: [1, 1, 1], cells: [{cells}, {cells}, {cells}]}}, "
+                    f"{cut}material: m{POISSON.index(nu)}}}\n"
                     for i, nu in enumerate(poisson))
-    materials = "".join(f"  m{i}: {{model: elastic, density: {DENSITY}, youngs_modulus: {MODULUS}, poissons_ratio: {nu}}}\n"
+    materials = "".join(f"  m{i}: {{model: elastic, density: {DENSITY}, youngs_modulus: {MODULUS}, "
+                        f"poissons_ratio: {nu}}}\n"
                         for i, nu in enumerate(POISSON) if nu in poisson)
     path.write_text("time: {end: 1}\nparts:\n" + parts + "materials:\n" + materials +
                     write_elements(kind, linear, quadratic))
@@ -131,8 +136,10 @@ def measure_matrices(tool, work, kind, damping, cells, shapes, poisson):
     write_deck(work / "map.yaml", kind, linear, quadratic, cells, poisson)
     with open(work / "shapes.bin", "wb") as file:
         for nodes, nu in zip(shapes, poisson):
-            file.write(np.array([jump * find_wave_speed(nu)]).tobytes() + np.ascontiguousarray(nodes, dtype=float).tobytes())
-    subprocess.run([*tool, "matrices", str(work / "map.yaml"), str(work / "shapes.bin"), str(work / "matrices.bin")], check=True)
+            file.write(np.array([jump * find_wave_speed(nu)]).tobytes()
+                       + np.ascontiguousarray(nodes, dtype=float).tobytes())
+    subprocess.run([*tool, "matrices", str(work / "map.yaml"), str(work / "shapes.bin"), str(work / "matrices.bin")],
+                   check=True)
     n = 3 * (cells + 1) ** 3
     raw = np.fromfile(work / "matrices.bin").reshape(len(shapes), 1 + n + 2 * n * n)
     root = 1 / np.sqrt(raw[:, 1:n + 1])
@@ -149,15 +156,16 @@ def measure_matrices(tool, work, kind, damping, cells, shapes, poisson):
 def find_critical_steps(stiffness, damping, start):
     """dt with largest eigenvalue of dt^2 A / 4 + dt B / 2 = 1, and the largest residual of its eigenvectors.
 
-    Newton's method with Rayleigh quotients: from any vector the step is an upper bound, and the error is squared by each
-    round.
+    Newton's method with Rayleigh quotients: from any vector the step is an upper bound, and the error is squared by
+    each round.
     """
     dt = np.array(start, dtype=float)
     for _ in range(8):
         matrix = dt[:, None, None] ** 2 / 4 * stiffness + dt[:, None, None] / 2 * damping
         values, vectors = np.linalg.eigh(matrix)
         x = vectors[:, :, -1]
-        residual = np.max(np.linalg.norm(np.einsum("pij,pj->pi", matrix, x) - values[:, -1:] * x, axis=1) / values[:, -1])
+        residual = np.max(np.linalg.norm(np.einsum("pij,pj->pi", matrix, x) - values[:, -1:] * x, axis=1)
+                          / values[:, -1])
         k = np.einsum("pi,pij,pj->p", x, stiffness, x)
         c = np.einsum("pi,pij,pj->p", x, damping, x)
         new = 2 / (c / 2 + np.sqrt(k + c * c / 4))
@@ -197,8 +205,8 @@ def measure_map(tool, work, cells, seeds, poisson_ratios, dampings, report, kind
                 checks["below"] = max(checks["below"], find_spectral_radius(a, b, 0.999 * true[p] / bound[p]))
                 checks["above"] = min(checks["above"], find_spectral_radius(a, b, 1.001 * true[p] / bound[p]))
         for p, (family, parameter, _, nu) in enumerate(cases):
-            rows.append({"kind": kind, "damping": damping, "cells": cells, "family": family, "parameter": parameter, "poisson": nu,
-                         "bound": bound[p], "true": true[p], "ratio": bound[p] / true[p],
+            rows.append({"kind": kind, "damping": damping, "cells": cells, "family": family, "parameter": parameter,
+                         "poisson": nu, "bound": bound[p], "true": true[p], "ratio": bound[p] / true[p],
                          **{name: length / speeds[p] / true[p] for name, length in measures[p].items()}})
         worst = max(rows[-len(cases):], key=lambda row: row["ratio"])
         report(f"map, {cells}^3 elements, {kind}, damping {damping}: largest bound / true {worst['ratio']:.6f} "

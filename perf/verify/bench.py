@@ -57,7 +57,8 @@ class Bench:
     def try_run(self, template, ranks=1, libraries=(), **values):
         """Runs whatever the exit code. libraries: laws of users that the deck may load."""
         self.count += 1
-        run = runs.start(self.options, self.folder / str(self.count), runs.fill(template, **values), ranks, libraries=libraries)
+        run = runs.start(self.options, self.folder / str(self.count), runs.fill(template, **values), ranks,
+                         libraries=libraries)
         self.cpu += run.cpu
         return run
 

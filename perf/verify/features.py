@@ -3,7 +3,8 @@
 # feature: what is compared and on which mesh, case, the quantity of the case whose error is shown. A text alone is shown as it is.
 FEATURES = {
     "hexahedra": [
-        ("patch test, distorted, over Young's modulus", "patch", "assumed strain: stress, largest error over Young's modulus"),
+        ("patch test, distorted, over Young's modulus", "patch",
+         "assumed strain: stress, largest error over Young's modulus"),
         ("bending frequency, 2 elements through", "free_bar", "assumed strain, 2 through, cubes: frequency"),
         ("plastic bending, 2 through", "plastic_cantilever", "assumed strain, 2 through: deflection"),
         ("foot of a Taylor bar, 3840 elements", "taylor_bar", "3840 elements: foot radius on the axis"),
@@ -16,29 +17,34 @@ FEATURES = {
         ("tetrahedra 8 x 8", "cooks_other_solids", "tetrahedra, 8 cells a side: deflection"),
     ],
     "thick shells": [
-        ("cantilever, elements 10 times as long as thick", "thick_strip", "deflection of the end over that of the plate"),
+        ("cantilever, elements 10 times as long as thick", "thick_strip",
+         "deflection of the end over that of the plate"),
         ("Scordelis-Lo roof, 16 x 16", "thick_roof", "16 x 16: fall of the edge"),
         ("limit moment, two layers", "thick_yield", "2 layers, 5 points: moment over the limit"),
     ],
     "shells": [
         ("plate frequency, 16 x 16", "shell_plate", "16 x 16: frequency"),
         ("pinched hemisphere, 16 x 16", "shell_pinched", "16 x 16, P = 200: outward"),
-        ("twisted beam, 12 x 2", "shell_twisted", "12 x 2, thickness 0.32, force along z: displacement of a force of 1"),
+        ("twisted beam, 12 x 2", "shell_twisted",
+         "12 x 2, thickness 0.32, force along z: displacement of a force of 1"),
         ("cap that yields, 3072 elements a quarter", "shell_cap", "deflection of the middle at 0.25 ms"),
         ("dynamic relaxation of a skew plate, 16 x 16", "relaxed_shells", "skew plate: deflection of the middle"),
     ],
     "crash": [
-        ("mean force of a tube of 60 x 60 x 1.5 mm, elements of 5 mm", "shell_crushed_tubes", "mean force, 1.5 mm, with a trigger"),
+        ("mean force of a tube of 60 x 60 x 1.5 mm, elements of 5 mm", "shell_crushed_tubes",
+         "mean force, 1.5 mm, with a trigger"),
         "[strokes of a car against a post](verification/public_models.md) of 2424 shells: 0.96 to 1.08 of LS-DYNA's",
         "[an aluminium tube](verification/public_models.md): mean force 0.87 of that of Abaqus",
     ],
     "laminates, rolled sheets": [
         ("deflection of 0, 30, -45, 90", "laminate_theory", "0, 30, -45, 90: deflection of a corner"),
-        ("stress at a hole, quasi-isotropic, 32 around the quarter", "open_hole", "45, 0, -45, 90, 32 around: stress at the hole"),
+        ("stress at a hole, quasi-isotropic, 32 around the quarter", "open_hole",
+         "45, 0, -45, 90, 32 around: stress at the hole"),
         ("r-value at 45 degrees, exponent 8", "rolled_sheet", "Barlat and Lian, 45 degrees: r-value"),
     ],
     "membranes, fabric": [
-        ("Hencky's membrane, 8 elements along the radius", "membrane_circle", "elastic, 8 elements along the radius: deflection"),
+        ("Hencky's membrane, 8 elements along the radius", "membrane_circle",
+         "elastic, 8 elements along the radius: deflection"),
         ("a ball that swings, 12 elements a quarter", "membrane_sphere", "displacement after half a period"),
         ("arc of a strip, 20 elements", "membrane_strip", "pressure 100: rise"),
         ("sheared cloth", "fabric_shear", "stress xx"),
@@ -62,12 +68,14 @@ FEATURES = {
     ],
     "friction": [
         ("distance of a sliding block", "sliding_block", "wall: distance"),
-        ("creep [m] in 1 s of a block that sticks on an incline", "incline", "stiffness damping, sticks: creep in a second"),
+        ("creep [m] in 1 s of a block that sticks on an incline", "incline",
+         "stiffness damping, sticks: creep in a second"),
         ("belt on a drum of 360 faces, damped", "capstan", "friction 0.2: force of the held end over the pull"),
         "[without damping](verification/open_points.md) both flutter",
     ],
     "ties, welds, glue": [
-        ("wave through a tie, 2 x 2 on 3 x 3, share that comes back", "tied_bars", "kinematic, 2 x 2 on 3 x 3: stress that comes back, over rho c v"),
+        ("wave through a tie, 2 x 2 on 3 x 3, share that comes back", "tied_bars",
+         "kinematic, 2 x 2 on 3 x 3: stress that comes back, over rho c v"),
         ("weld of solids, strength", "solid_weld", "largest shear of the weld"),
         ("lap joint, shells of 5 mm", "lap_weld", "shells of 5.0 mm: deflection"),
         ("crack that opens, 0.5 mm", "glued_beams", "0.5 mm, 4.5 ms: energy of the crack"),
@@ -83,7 +91,8 @@ FEATURES = {
         "[round and pointed noses, Kalthoff and Winkler's plate](verification/open_points.md): not judged",
     ],
     "metals": [
-        ("Johnson-Cook foot of a Taylor bar, 3840 elements", "johnson_cook", "foot diameter, against the middle of the range"),
+        ("Johnson-Cook foot of a Taylor bar, 3840 elements", "johnson_cook",
+         "foot diameter, against the middle of the range"),
         ("table of rates at 10 / s", "rate_table", "hexahedra, 10 / s, logarithmic"),
         ("Chaboche, the tenth loop", "cyclic_metals", "Chaboche, hexahedra, hardens: largest stress of the tenth loop"),
         ("Gurson, void fraction", "cyclic_metals", "Gurson, hexahedra: void fraction"),

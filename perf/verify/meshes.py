@@ -62,7 +62,8 @@ def write_exodus(path, points, corners, outer=False):
     with netcdf_file(path, "w", version=2) as file:
         file.api_version, file.version = np.float32(5.1), np.float32(5.1)
         file.floating_point_word_size, file.file_size, file.title = np.int32(8), np.int32(1), "generated"
-        for name, length in (("len_string", 33), ("len_line", 81), ("four", 4), ("num_dim", 3), ("num_nodes", len(points)),
+        for name, length in (("len_string", 33), ("len_line", 81), ("four", 4), ("num_dim", 3),
+                             ("num_nodes", len(points)),
                              ("num_elem", len(corners)), ("num_el_blk", 1), ("num_el_in_blk1", len(corners)),
                              ("num_nod_per_el1", corners.shape[1])):
             file.createDimension(name, length)
@@ -84,7 +85,8 @@ def write_exodus(path, points, corners, outer=False):
             file.variables["ss_prop1"].name = "ID"
             file.createVariable("elem_ss1", "i4", ("num_side_ss1",))[:] = np.arange(1, len(corners) + 1)
             file.createVariable("side_ss1", "i4", ("num_side_ss1",))[:] = 1
-            file.createVariable("ss_names", "S1", ("num_side_sets", "len_string"))[:] = np.array([list("outer".ljust(33, "\0"))], dtype="S1")
+            file.createVariable("ss_names", "S1", ("num_side_sets", "len_string"))[:] = np.array(
+                [list("outer".ljust(33, "\0"))], dtype="S1")
     return path
 
 
@@ -111,8 +113,10 @@ def make_quarter_disc(n):
     points = np.vstack([core, *rings])
     points[np.abs(points) < 1e-12] = 0
     quads = [[k, k + 1, k + n + 2, k + n + 1] for row in range(n) for k in range(row * (n + 1), row * (n + 1) + n)]
-    layers = [border] + [list(range((n + 1)**2 + r * (2 * n + 1), (n + 1)**2 + (r + 1) * (2 * n + 1))) for r in range(n)]
-    quads += [[inner[k], outer[k], outer[k + 1], inner[k + 1]] for inner, outer in zip(layers, layers[1:]) for k in range(2 * n)]
+    layers = ([border]
+              + [list(range((n + 1)**2 + r * (2 * n + 1), (n + 1)**2 + (r + 1) * (2 * n + 1))) for r in range(n)])
+    quads += [[inner[k], outer[k], outer[k + 1], inner[k + 1]] for inner, outer in zip(layers, layers[1:])
+              for k in range(2 * n)]
     return np.hstack([points, np.zeros((len(points), 1))]), np.array(quads)
 
 
@@ -137,7 +141,8 @@ def draw_together(points, share):
 
 def quarter_ball(bench, radius, across, share):
     """A quarter (x, y >= 0) of a ball, its cells drawn together at the lowest point."""
-    points, corners = keep(*generate(bench, f"sphere: {{radius: 1, cells: {across}}}"), lambda x, y, z: (x > 0) & (y > 0))
+    points, corners = keep(*generate(bench,
+                                     f"sphere: {{radius: 1, cells: {across}}}"), lambda x, y, z: (x > 0) & (y > 0))
     points = radius * draw_together(points, share)
     points[np.abs(points) < 1e-12 * radius] = 0
     return points, corners

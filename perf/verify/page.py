@@ -58,8 +58,9 @@ def make_link(case, folder="", text=""):
 
 def write_features(cases, results, folder):
     rows = list_features(cases, results, lambda case, text: make_link(case, folder, text))
-    return "## By feature\n\nErrors of single quantities at stated meshes; the cases behind the links have the others.\n\n" + \
-        make_table(["feature", "quantity and mesh: error"], rows)
+    return ("## By feature\n\nErrors of single quantities at stated meshes; "
+            "the cases behind the links have the others.\n\n" +
+        make_table(["feature", "quantity and mesh: error"], rows))
 
 
 def write_overview(cases, results):
@@ -151,6 +152,7 @@ def write_page(options, cases, results):
     for name in ("public_models.md", "open_points.md"):
         (below / name).write_text(move_links((here / name).read_text().rstrip() + "\n"))
     for group, title in GROUPS.items():
-        members = [write_case(case, results.get(case.name), "../images/verification") for case in cases if case.group == group]
+        members = [write_case(case, results.get(case.name), "../images/verification")
+                   for case in cases if case.group == group]
         (below / f"{group}.md").write_text(f"# {title}\n\n" + move_links("".join(members)).rstrip() + "\n")
     return [name for name, result in results.items() if not is_right(result)]

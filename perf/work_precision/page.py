@@ -19,8 +19,8 @@ def group(points):
 
 
 def find_time(curve, error):
-    """Seconds that a choice needs for an error: along the straight line through its points in log-log. None: its slope says
-    nothing (a single mesh, or errors that do not fall) and no mesh of it is as good."""
+    """Seconds that a choice needs for an error: along the straight line through its points in log-log. None: its slope
+    says nothing (a single mesh, or errors that do not fall) and no mesh of it is as good."""
     seconds, errors = np.array([p.seconds for p in curve]), np.array([p.error for p in curve])
     good = seconds[errors <= error]
     if len(curve) < 2 or np.any(errors <= 0):
@@ -83,7 +83,8 @@ def write_section(options, scenes, measured):
         text += write_scene(name, scenes[name], points)
     old = page.read_text() if page.exists() else f"# Performance\n\n## Error against run time\n\n{BEGIN}\n{END}\n"
     if BEGIN not in old or END not in old:
-        raise SystemExit(f"work_precision: error: {page} has lost the marks between which the section stands: {BEGIN} {END}")
+        raise SystemExit(
+            f"work_precision: error: {page} has lost the marks between which the section stands: {BEGIN} {END}")
     head, rest = old.split(BEGIN, 1)
     tail = rest.split(END, 1)[1]
     page.parent.mkdir(parents=True, exist_ok=True)

@@ -13,7 +13,8 @@ from cases.waves import SPEED, VIBRATING, sum_series
 INPUTS = pathlib.Path(__file__).resolve().parents[2] / "inputs"
 
 DEFAULT = "default"
-ELEMENTS = {DEFAULT: "", "stiffness": "hourglass: stiffness", "viscous": "hourglass: viscous", "full": "integration: full"}
+ELEMENTS = {DEFAULT: "", "stiffness": "hourglass: stiffness", "viscous": "hourglass: viscous",
+            "full": "integration: full"}
 STEPS = {"step_scale 0.5": 0.5}
 SINGLE = "single precision"
 GLOBAL = "global step"
@@ -68,7 +69,8 @@ class Place:
     def point(self, choice, mesh, run, error):
         summary = run.summary
         print(f"          {self.name}, {choice}, {mesh}: {summary['loop_s']:.2f} s, error {error:.2e}", flush=True)
-        return Point(self.name, choice, str(mesh), summary["elements"], summary["steps"], summary["loop_s"], float(error))
+        return Point(self.name, choice, str(mesh), summary["elements"], summary["steps"], summary["loop_s"],
+                     float(error))
 
 
 class WithSingle:
@@ -112,14 +114,16 @@ def measure_bar_wave(place):
     """The end of a bar that is stopped at its other end, against the series, over one period."""
     period = 4 / SPEED
     points = []
-    kinds = {name: (says, 0.9) for name, says in ELEMENTS.items()} | {name: ("", scale) for name, scale in STEPS.items()}
+    kinds = ({name: (says, 0.9) for name, says in ELEMENTS.items()}
+             | {name: ("", scale) for name, scale in STEPS.items()})
     for name, (says, scale), where in list_variants(place, kinds):
         for cells in (25, 50) if place.quick else (25, 50, 100, 200, 400):
             deck = VIBRATING.replace("elements: {", f"elements: {{{says}, " if says else "elements: {")
             run = where.run(deck, end=period, scale=scale, step=1.0, width=1 / cells, cells=cells, every=period / 400,
                             initial="  - {part: bar, velocity: [1, 0, 0]}")
             error = run.history["end_x"] - 1 - sum_series(1.0, run.history["time"])
-            points.append(where.point(name, cells, run, np.sqrt(np.trapz(error**2, run.history["time"]) / period) * SPEED))
+            points.append(where.point(name, cells, run,
+                                      np.sqrt(np.trapz(error**2, run.history["time"]) / period) * SPEED))
     return points
 
 
@@ -130,7 +134,8 @@ def measure_taylor_bar(place):
         for n in (1, 2) if place.quick else (2, 3, 4, 6):
             run = run_taylor(where, n, says)
             m = measure_taylor(run)
-            points.append(where.point(name, f"n = {n}", run, max(abs(m["length"] / LENGTH - 1), abs(m["axis"] / RADIUS - 1))))
+            points.append(where.point(name, f"n = {n}", run,
+                                      max(abs(m["length"] / LENGTH - 1), abs(m["axis"] / RADIUS - 1))))
     return points
 
 
@@ -230,11 +235,16 @@ def measure_can_crush(place):
 
 
 SCENES = {
-    "bar_wave": Scene("A wave in a bar", measure_bar_wave, "the end's displacement over one period (L2, over V L / c), against the series"),
-    "taylor_bar": Scene("Taylor bar", measure_taylor_bar, "length or foot radius, whichever is larger, against the references"),
-    "hertz_drop": Scene("Hertz drop", measure_hertz_drop, "largest force or time of contact, whichever is larger, against Hertz"),
+    "bar_wave": Scene("A wave in a bar", measure_bar_wave,
+                      "the end's displacement over one period (L2, over V L / c), against the series"),
+    "taylor_bar": Scene("Taylor bar", measure_taylor_bar,
+                        "length or foot radius, whichever is larger, against the references"),
+    "hertz_drop": Scene("Hertz drop", measure_hertz_drop,
+                        "largest force or time of contact, whichever is larger, against Hertz"),
     "brick_wall": Scene("Brick wall, first 0.5 ms", measure_brick_wall,
-                        "kinetic energy, friction or internal energy, whichever is largest, against the scene's own run with 250 elements a brick"),
+                        "kinetic energy, friction or internal energy, whichever is largest, "
+                        "against the scene's own run with 250 elements a brick"),
     "can_crush": Scene("Can crush, first 1 ms", measure_can_crush,
-                       "energy that the plate lost or the parts took, whichever is larger, against the scene's own run with 42 560 elements in the container"),
+                       "energy that the plate lost or the parts took, whichever is larger, "
+                       "against the scene's own run with 42 560 elements in the container"),
 }

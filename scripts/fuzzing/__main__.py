@@ -45,13 +45,15 @@ Needs Python 3 with NumPy and h5py (scripts/install_dependencies --report).
 
 
 def parse_arguments():
-    parser = argparse.ArgumentParser(prog="scripts/fuzz_scenes", epilog=EPILOG, description="Runs random scenes and checks them.",
+    parser = argparse.ArgumentParser(prog="scripts/fuzz_scenes", epilog=EPILOG,
+                                     description="Runs random scenes and checks them.",
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     add = parser.add_argument
     add("seeds", metavar="SEED", nargs="+", help="a number, or a range as 1-20")
     add("--percuss", metavar="FILE", default=os.path.join(ROOT, "build/release/percuss"), help="the program")
     add("--jobs", metavar="N", type=int, default=1, help="scenes at the same time (default 1)")
-    add("--set", dest="settings", metavar="KEY=VALUE", action="append", default=[], help="a setting of every scene, as of percuss run")
+    add("--set", dest="settings", metavar="KEY=VALUE", action="append", default=[],
+        help="a setting of every scene, as of percuss run")
     add("--known", metavar="FILE", help="seeds that fail today")
     add("--most", metavar="N", type=int, default=0, help="as many scenes may fail beyond those known (default 0)")
     add("--no-shrink", dest="shrink", action="store_false", help="leave failing scenes as they are")
@@ -85,7 +87,8 @@ def read_known(path):
 def find_mpirun():
     """As the tests give it, else Open MPI's on any number of cores."""
     given = os.environ.get("PERCUSS_MPIRUN")
-    return shlex.split(given) if given else [shutil.which("mpirun") or "mpirun", "--oversubscribe", "--bind-to", "none", "-n"]
+    return (shlex.split(given) if given
+            else [shutil.which("mpirun") or "mpirun", "--oversubscribe", "--bind-to", "none", "-n"])
 
 
 def examine(program, seed, shrinks):
@@ -112,7 +115,8 @@ def compare_seeds(program, arguments):
     with ThreadPoolExecutor(arguments.jobs) as pool:
         results = pool.map(lambda seed: (seed, *compare_scene(program, scenes, seed, arguments.ranks)), arguments.seeds)
         for seed, failures, figures, deck in results:
-            print(f"seed {seed}: {'FAILS' if failures else 'ok'}: " + " ".join(f"{key} {value:.3g}" for key, value in figures.items()))
+            print(f"seed {seed}: {'FAILS' if failures else 'ok'}: "
+                  + " ".join(f"{key} {value:.3g}" for key, value in figures.items()))
             for kind, text in failures.items():
                 print(f"  {kind}: {text}")
             if failures:
@@ -120,7 +124,8 @@ def compare_seeds(program, arguments):
             failed += bool(failures)
             counts.update({"refused" if "refused" in figures else "rests" if figures["rests"] > 0 else "moves": 1})
             sys.stdout.flush()
-    print(f"{len(arguments.seeds)} scenes, {failed} fail; {', '.join(f'{kind} {count}' for kind, count in sorted(counts.items()))}")
+    print(f"{len(arguments.seeds)} scenes, {failed} fail; "
+          f"{', '.join(f'{kind} {count}' for kind, count in sorted(counts.items()))}")
     return failed
 
 
@@ -167,13 +172,15 @@ def main():
     if arguments.bits:
         sys.exit(1 if compare_seeds(program, arguments) else 0)
     with ThreadPoolExecutor(arguments.jobs) as pool:
-        results = pool.map(lambda seed: (seed, *examine(program, seed, arguments.shrink and seed not in known)), arguments.seeds)
+        results = pool.map(lambda seed: (seed, *examine(program, seed, arguments.shrink and seed not in known)),
+                           arguments.seeds)
         verdicts, counts = [], Counter()
         for seed, failures, figures, deck in results:
             verdicts.append(report_seed(seed, failures, figures, deck, known, arguments.shrink))
             counts.update(failures.keys())
     wrong = verdicts.count(False)
-    print(f"{len(verdicts)} scenes, {wrong} not as expected; failures: {', '.join(f'{k} {n}' for k, n in sorted(counts.items())) or 'none'}")
+    print(f"{len(verdicts)} scenes, {wrong} not as expected; "
+          f"failures: {', '.join(f'{k} {n}' for k, n in sorted(counts.items())) or 'none'}")
     sys.exit(0 if wrong <= arguments.most else 1)
 
 

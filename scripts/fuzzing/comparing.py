@@ -1,4 +1,5 @@
-"""Runs a scene in ways that must not change a bit, and says what differs: layouts, restarts, and work that is skipped."""
+"""Runs a scene in ways that must not change a bit, and says what differs:
+layouts, restarts, and work that is skipped."""
 
 import csv
 import json
@@ -16,11 +17,12 @@ from .scene import write_deck
 
 # Each gives up work that a run leaves out or finds in another way.
 # The search changes how many pairs are candidates, and nothing else.
-SWITCHES = ("elements.skip_resting=false", "contact.reuse_search=false", "contact.search=points_in_box", "contact.rebalance=always")
+SWITCHES = ("elements.skip_resting=false", "contact.reuse_search=false", "contact.search=points_in_box",
+            "contact.rebalance=always")
 LAYOUTS = {"1x1": dict(ranks=1), "1x2": dict(ranks=1, threads=2), "2x1": dict(ranks=2), "3x1": dict(ranks=3)}
 # Keys of summary.json that may differ (docs/output.md), and what says how a run came to its end.
-OWN_KEYS = {"ranks", "threads", "setup_s", "loop_s", "grind_ns", "phases_s", "skipped", "balance", "messages", "decomposition",
-            "peak_bytes", "deck", "restart_changes", "earlier"}
+OWN_KEYS = {"ranks", "threads", "setup_s", "loop_s", "grind_ns", "phases_s", "skipped", "balance", "messages",
+            "decomposition", "peak_bytes", "deck", "restart_changes", "earlier"}
 OWN_WARNINGS = {"idle_ranks", "crowded_cores", "lost_frames", "oversubscribed"}
 MOST_DRAWS = 8
 
@@ -75,7 +77,8 @@ class Run:
         found = []
         if self.find_error() != other.find_error():
             found.append(f"error '{other.find_error()}' is '{self.find_error()}'")
-        found += [f"{key} {other.summary.get(key)} is {self.summary.get(key)}" for key in sorted({*self.summary, *other.summary})
+        found += [f"{key} {other.summary.get(key)} is {self.summary.get(key)}"
+                  for key in sorted({*self.summary, *other.summary})
                   if key not in OWN_KEYS | {"warnings", "error"} and self.summary.get(key) != other.summary.get(key)]
         found += compare_warnings(self.summary.get("warnings", []), other.summary.get("warnings", []))
         return found + compare_history(self.out, other.out, own_columns) + compare_fields(self.out, other.out)
@@ -138,7 +141,8 @@ def compare_warnings(now, wanted):
     def key(warning):
         return tuple(str(warning.get(name)) for name in ("rule", "place", "text", "time", "count"))
 
-    now, wanted = ({key(warning) for warning in warnings if warning["rule"] not in OWN_WARNINGS} for warnings in (now, wanted))
+    now, wanted = ({key(warning) for warning in warnings if warning["rule"] not in OWN_WARNINGS}
+                   for warnings in (now, wanted))
     return [*(f"warning lost: {warning}" for warning in sorted(wanted - now)),
             *(f"warning only here: {warning}" for warning in sorted(now - wanted))]
 

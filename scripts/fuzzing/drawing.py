@@ -13,9 +13,10 @@ VALUES = {
 }
 # Drawn by the scene itself, names of other things, or without effect on a run.
 LEFT_OUT = {
-    "time.end", "time.max_steps", "time.until", "time.mass_scaling", "time.collapse_ratio", "contact.surfaces", "contact.ties",
-    "start.relaxation.hold", "start.relaxation.unsettled", "start.relaxation.tolerance", "contact.friction.pairs", "contact.overlap",
-    "elements.integration", "audit.max_energy_error", "audit.max_contact_gain",
+    "time.end", "time.max_steps", "time.until", "time.mass_scaling", "time.collapse_ratio", "contact.surfaces",
+    "contact.ties", "start.relaxation.hold", "start.relaxation.unsettled", "start.relaxation.tolerance",
+    "contact.friction.pairs", "contact.overlap", "elements.integration", "audit.max_energy_error",
+    "audit.max_contact_gain",
 }
 OF_PARTS = ("hourglass", "bulk_viscosity", "stiffness_damping", "shell_hourglass", "points", "reference")
 

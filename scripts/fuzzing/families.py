@@ -1,5 +1,5 @@
-"""A scene from a seed for comparisons of bits: small bodies of every family of elements, joined in every way, that rest, are
-struck, held, driven or loaded, with keys that are drawn from the schema of decks."""
+"""A scene from a seed for comparisons of bits: small bodies of every family of elements, joined in every way, that
+rest, are struck, held, driven or loaded, with keys that are drawn from the schema of decks."""
 
 import random as randoms
 
@@ -9,7 +9,8 @@ from .shapes import rounded
 
 _METAL = {"density": 7850.0, "youngs_modulus": 200e9, "poissons_ratio": 0.3}
 LAWS = {
-    **{name: MATERIALS[name] for name in ("steel", "hard", "light", "copper", "iron", "alloy", "nylon", "rubber", "foam", "soil")},
+    **{name: MATERIALS[name]
+       for name in ("steel", "hard", "light", "copper", "iron", "alloy", "nylon", "rubber", "foam", "soil")},
     "brittle": {"model": "j2_plasticity", **_METAL, "yield_stress": 200e6, "hardening_modulus": 1e9,
                 "failure": {"plastic_strain": 2e-3, "fade_steps": 5}},
     "torn": {"model": "j2_plasticity", **_METAL, "yield_stress": 100e6, "hardening_modulus": 5e8,
@@ -17,10 +18,11 @@ LAWS = {
     "lead": {"model": "viscoelastic", "density": 8000.0, "bulk_modulus": 40e9, "long_term_shear_modulus": 5e9,
              "relaxation": [[1e-5, 10e9], [1e-4, 5e9]]},
     "cyclic": {"model": "chaboche", **_METAL, "yield_stress": 100e6, "back_stresses": [[20, 2e9], [200, 20e9]]},
-    "moved": {"model": "combined_hardening", **_METAL, "yield_stress": 100e6, "hardening_modulus": 2e9, "kinematic_share": 0.5},
+    "moved": {"model": "combined_hardening", **_METAL, "yield_stress": 100e6, "hardening_modulus": 2e9,
+              "kinematic_share": 0.5},
     "voids": {"model": "gurson", **_METAL, "hardening": [[0, 200e6], [1, 600e6]], "void_fraction": 0.02},
-    "wood": {"model": "orthotropic", "density": 1600.0, "moduli": [140e9, 10e9, 10e9], "poissons_ratios": [0.3, 0.4, 0.3],
-             "shear_moduli": [5e9, 3.5e9, 5e9]},
+    "wood": {"model": "orthotropic", "density": 1600.0, "moduli": [140e9, 10e9, 10e9],
+             "poissons_ratios": [0.3, 0.4, 0.3], "shear_moduli": [5e9, 3.5e9, 5e9]},
     "cloth": {"model": "fabric", "density": 1400.0, "warp_modulus": 30e9, "weft_modulus": 20e9, "shear_modulus": 2e8,
               "no_compression": True, "failure": {"principal_strain": 0.05}},
     "water": {"model": "fluid", "density": 1000.0, "equation_of_state": {"kind": "linear", "bulk_modulus": 2.2e9}},
@@ -33,10 +35,12 @@ STEP = 2.5e-6  # about that of a body
 
 
 class Body:
-    """A part, and the names of what others use of it: its nodes below and above, its ends, its faces below and above."""
+    """A part, and the names of what others use of it: its nodes below and above, its ends,
+    its faces below and above."""
 
     def __init__(self, name, below, above, start, end, faces=None):
-        self.name, self.below, self.above, self.start, self.end = (name, *(f"{name}/{side}" for side in (below, above, start, end)))
+        self.name, self.below, self.above, self.start, self.end = (name, *(f"{name}/{side}"
+                                                                           for side in (below, above, start, end)))
         self.faces = [f"{name}/{side}" for side in faces or (below, above)]
         self.is_shell = self.is_beam = self.is_rigid = False
         self.top = 0.0
@@ -98,7 +102,8 @@ class Scene:
         else:
             part["thickness"] = random.choice([5e-4, 1e-3, 4e-3])
         part.update(self.draw_part([*([] if "plies" in part else ["points"]),
-                                    *([] if part.get("integration") == "membrane" else ["shell_hourglass", "reference"])]))
+                                    *([] if part.get("integration") == "membrane"
+                                      else ["shell_hourglass", "reference"])]))
         self.add_part(name, part, laws)
         body = Body(name, "y_min", "y_max", "x_min", "x_max", ("bottom", "top"))
         body.is_shell, body.top = True, at[2] + 2e-3
@@ -106,7 +111,8 @@ class Scene:
 
     def add_beam(self, name, start, end, cells):
         random = self.random
-        section = random.choice([{"round": {"radius": 0.004}}, {"truss": {"area": 3e-5}}, {"rectangle": {"size": [0.006, 0.01]}},
+        section = random.choice([{"round": {"radius": 0.004}}, {"truss": {"area": 3e-5}},
+                                 {"rectangle": {"size": [0.006, 0.01]}},
                                  {"tube": {"outer_radius": 0.006, "inner_radius": 0.004}},
                                  {"box": {"size": [0.008, 0.012], "wall": 0.001}}])
         part = {"line": {"from": start, "to": end, "cells": cells}, "section": section}
@@ -156,7 +162,8 @@ def _stack_frame(scene, x, name):
     random = scene.random
     post = scene.add_beam(name + "post", [x, 0, -0.1], [x, 0, 0], random.randint(1, 4))
     plate = scene.add_plate(name + "roof", [x, 0, 0], [random.randint(2, 4)] * 2)
-    bar = scene.add_beam(name + "bar", [x, 0, 0], [x + WIDTH, 0, 0], scene.deck["parts"][plate.name]["shell_plate"]["cells"][0])
+    bar = scene.add_beam(name + "bar", [x, 0, 0], [x + WIDTH, 0, 0],
+                         scene.deck["parts"][plate.name]["shell_plate"]["cells"][0])
     scene.add("join", {"parts": [post.name, plate.name, bar.name], "tolerance": 1e-6})
     scene.add("conditions", {"nodes": post.start, "fixed": ["x", "y", "z"]})
     if random.random() < 0.5:
@@ -182,15 +189,18 @@ def _stack_joints(scene, x, name):
     arms = []
     for i in range(random.randint(2, 3)):
         arm = name + f"arm{i}"
-        scene.add_part(arm, {"box": {"size": [0.05, 0.02, 0.02], "cells": [2, 1, 1]}, "at": [x + 0.05 * i, 0.04, 0.1], "rigid": True},
+        scene.add_part(arm, {"box": {"size": [0.05, 0.02, 0.02], "cells": [2, 1, 1]}, "at": [x + 0.05 * i, 0.04, 0.1],
+                             "rigid": True},
                        ("hard", "steel"))
         arms.append(arm)
     for i, pair in enumerate(zip(arms, arms[1:])):
         place = [x + 0.05 * (i + 1), 0.05, 0.11]
-        kind = random.choice([{"kind": "spherical"}, {"kind": "revolute", "axis": "y"}, {"kind": "revolute", "axis": "z"}])
+        kind = random.choice([{"kind": "spherical"}, {"kind": "revolute", "axis": "y"},
+                              {"kind": "revolute", "axis": "z"}])
         scene.add("joints", {**kind, "bodies": list(pair), "at": place}, name + f"joint{i}")
         if random.random() < 0.4:
-            spring = random.choice([{"stiffness": 500}, {"friction": 20, "hold_stiffness": 1e4}, {"stiffness": 100, "damping": 0.1}])
+            spring = random.choice([{"stiffness": 500}, {"friction": 20, "hold_stiffness": 1e4},
+                                    {"stiffness": 100, "damping": 0.1}])
             scene.add("turn_springs", {"bodies": list(pair), "axes": ["y", "z"], "x": spring}, name + f"turn{i}")
     if random.random() < 0.6:
         scene.add("joints", {"kind": "spherical", "bodies": [arms[0]], "at": [x, 0.05, 0.11]}, name + "ground")
@@ -224,9 +234,11 @@ def _tie(scene, lower, upper):
 
 
 def _glue(scene, lower, upper):
-    cohesive = {"normal_stiffness": 1e12, "normal_strength": 1e7, "shear_strength": 2e7, "normal_energy": 200, "shear_energy": 500}
+    cohesive = {"normal_stiffness": 1e12, "normal_strength": 1e7, "shear_strength": 2e7, "normal_energy": 200,
+                "shear_energy": 500}
     cohesive.update(scene.draw("contact.ties.N.cohesive"))
-    _get_contact(scene).setdefault("ties", []).append({"a": upper.faces[0], "b": lower.faces[1], "distance": 0.004, "cohesive": cohesive})
+    _get_contact(scene).setdefault("ties", []).append({"a": upper.faces[0], "b": lower.faces[1], "distance": 0.004,
+                                                       "cohesive": cohesive})
 
 
 def _spring(scene, lower, upper):
@@ -254,7 +266,8 @@ def _constrain(scene, lower, upper):
     if random.random() < 0.5:
         entry = {"equal": random.choice([["z"], ["x", "z"]]), "nodes": upper.end}
     else:
-        entry = {"equation": [{"nodes": lower.end, "direction": "y", "factor": 1}, {"nodes": upper.end, "direction": "y", "factor": -1}]}
+        entry = {"equation": [{"nodes": lower.end, "direction": "y", "factor": 1},
+                              {"nodes": upper.end, "direction": "y", "factor": -1}]}
     scene.add("constraints", entry, upper.name + "_rows")
 
 
@@ -262,8 +275,8 @@ def _rigid_set(scene, lower, upper):
     scene.add("rigid_sets", {"nodes": scene.random.choice([upper.end, lower.start])}, upper.name + "_set")
 
 
-_LINKS = {"none": lambda scene, lower, upper: None, "join": _join, "tie": _tie, "glue": _glue, "spring": _spring, "weld": _weld,
-          "constraint": _constrain, "set": _rigid_set}
+_LINKS = {"none": lambda scene, lower, upper: None, "join": _join, "tie": _tie, "glue": _glue, "spring": _spring,
+          "weld": _weld, "constraint": _constrain, "set": _rigid_set}
 
 
 def _switch(scene, entry, share):
@@ -285,13 +298,15 @@ def _hold(scene, body):
         _switch(scene, entry, 0.1)
         scene.add("conditions", entry)
     if random.random() < 0.15 and not body.is_rigid:
-        move = random.choice([{"velocity": {"x": random.choice([0, 3])}}, {"displacement": {"x": {"expression": "10 * t"}}},
+        move = random.choice([{"velocity": {"x": random.choice([0, 3])}},
+                              {"displacement": {"x": {"expression": "10 * t"}}},
                               {"velocity": {"y": {"table": [[0, 0], [3e-5, 0], [6e-5, 5], [9e-5, 0]]}}}])
         entry = {"nodes": body.end, **move}
         _switch(scene, entry, 0.2)
         scene.add("conditions", entry)
     if random.random() < 0.15:
-        scene.add("walls", {"point": [0, 0, -2e-4], "normal": "z", "friction": random.choice([0, 0.3]), "nodes": body.name})
+        scene.add("walls",
+                  {"point": [0, 0, -2e-4], "normal": "z", "friction": random.choice([0, 0.3]), "nodes": body.name})
 
 
 def _load(scene, body):
@@ -334,7 +349,8 @@ def _strike(scene, x, body):
 
 def _add_everywhere(scene, steps):
     random, deck = scene.random, scene.deck
-    deck["time"] = {"end": rounded(STEP * steps * random.choice([0.5, 1, 1.5])), "max_steps": steps, **scene.draw("time")}
+    deck["time"] = {"end": rounded(STEP * steps * random.choice([0.5, 1, 1.5])), "max_steps": steps,
+                    **scene.draw("time")}
     if random.random() < 0.1:
         deck["time"]["mass_scaling"] = {"step": random.choice([2e-6, 4e-6]), "max_added": 200,
                                         **random.choice([{}, {"every": 1}, {"every": 7}])}
@@ -344,7 +360,8 @@ def _add_everywhere(scene, steps):
         if drawn := scene.draw(section):
             deck[section] = drawn
     if random.random() < 0.15:
-        deck.setdefault("loads", {})["gravity"] = [0, 0, random.choice([-9.81, -1e5, {"expression": "-1e4 * sin(1e5 * t)"}])]
+        deck.setdefault("loads", {})["gravity"] = [0, 0,
+                                                   random.choice([-9.81, -1e5, {"expression": "-1e4 * sin(1e5 * t)"}])]
     if random.random() < 0.1:
         scene.add("damping", {"coefficient": random.choice([0, 100, {"table": [[0, 0], [5e-5, 0], [6e-5, 1e4]]}])})
     if random.random() < 0.3:

@@ -18,7 +18,8 @@ def find_corner_jacobians(x, hexahedra):
 
 
 class Surface:
-    """The exterior of one body: nodes, faces (a triangle fan each), sharp edges; of shells with half their thickness."""
+    """The exterior of one body: nodes, faces (a triangle fan each), sharp edges;
+    of shells with half their thickness."""
 
     def __init__(self, x0, cells, half_thickness):
         """cells: corners of each element of the body, all of one kind."""
@@ -68,8 +69,8 @@ def _find_edges(x, faces):
 
 
 def find_depths(points, surface, x, extra=0.0):
-    """How deep each point lies in a body, 0 outside: its distance from the closest point of the surface; of shells what is
-    missing of half the thickness and `extra`."""
+    """How deep each point lies in a body, 0 outside: its distance from the closest point of the surface; of shells what
+    is missing of half the thickness and `extra`."""
     triangles = surface.triangles(x)
     reach = surface.half_thickness + extra
     low, high = triangles.min(axis=(0, 1)) - reach, triangles.max(axis=(0, 1)) + reach

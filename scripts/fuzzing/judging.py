@@ -10,9 +10,10 @@ from .measures import measure
 from .scene import find_wave_speed, write_deck
 
 MOMENTUM = 1e-10  # relative: round-off
-GAIN = 1e-4  # share of the initial energy
-DEPTH = 0.01  # share of an element; of nodes, up to SLOW of the wave speed and without penalty springs
-DEEP = 0.1  # the same beyond, of penalty springs, and of edges: those of smooth surfaces are not checked with each other
+GAIN = 1e-4  # of the initial energy
+DEPTH = 0.01  # of an element; of nodes, up to SLOW of the wave speed and without penalty springs
+# the same beyond, of penalty springs, and of edges: those of smooth surfaces are not checked with each other
+DEEP = 0.1
 SLOW = 0.05
 FRAMES = 12
 STEPS_BEYOND = 10  # times as many steps as planned end a run
@@ -28,10 +29,11 @@ class Program:
         self.settings = [word for setting in settings for word in ("--set", setting)]
 
     def run(self, deck, out, *options, ranks=1, threads=1):
-        words = [*(self.mpirun + [str(ranks)] if ranks > 1 else []), self.percuss, "run", deck, "--out", out, "--quiet", *self.settings, *options]
+        words = [*(self.mpirun + [str(ranks)] if ranks > 1 else []), self.percuss, "run", deck, "--out", out, "--quiet",
+                 *self.settings, *options]
         environment = dict(os.environ, OMP_NUM_THREADS=str(threads), OMP_PROC_BIND="false", OMP_WAIT_POLICY="passive",
-                           OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_mpi_yield_when_idle="1",
-                           OPENBLAS_NUM_THREADS="1")
+                           OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                           OMPI_MCA_mpi_yield_when_idle="1", OPENBLAS_NUM_THREADS="1")
         try:
             done = subprocess.run(words, capture_output=True, text=True, env=environment, timeout=MOST_SECONDS)
         except subprocess.TimeoutExpired:
@@ -40,11 +42,13 @@ class Program:
 
     def call(self, *words):
         """What a command of the program prints."""
-        return subprocess.run([self.percuss, *words], capture_output=True, text=True, check=True, timeout=MOST_SECONDS).stdout
+        return subprocess.run([self.percuss, *words], capture_output=True, text=True, check=True,
+                              timeout=MOST_SECONDS).stdout
 
 
 def judge(program, deck, with_bits=True):
-    """({kind: what and how much}, figures). Kinds: run, end, momentum, gain, depth, inverted, ranks, threads, restart."""
+    """({kind: what and how much}, figures).
+    Kinds: run, end, momentum, gain, depth, inverted, ranks, threads, restart."""
     folder = tempfile.mkdtemp(prefix="percuss_fuzz_")
     try:
         return _judge_in(program, deck, folder, with_bits)
@@ -66,8 +70,9 @@ def count_steps(deck):
     """As many as the mesh needs at the start, about."""
     from .shapes import find_shortest_edge
 
-    return int(deck["time"]["end"] / min(0.5 * find_shortest_edge(part) / find_wave_speed(deck["materials"][part["material"]])
-                                         for part in deck["parts"].values())) + 1
+    return int(deck["time"]["end"]
+               / min(0.5 * find_shortest_edge(part) / find_wave_speed(deck["materials"][part["material"]])
+                     for part in deck["parts"].values())) + 1
 
 
 def _judge_in(program, deck, folder, with_bits):
@@ -80,7 +85,8 @@ def _judge_in(program, deck, folder, with_bits):
     figures = measure(out, deck)
     failures = {}
     if code != 0:
-        failures["run"] = f"exit code {code} at {figures['time'] / deck['time']['end']:.2f} of the time: {_find_error(text)}"
+        failures["run"] = (f"exit code {code} at {figures['time'] / deck['time']['end']:.2f} of the time: "
+                           f"{_find_error(text)}")
     elif figures["time"] < deck["time"]["end"] * (1 - 1e-9):
         failures["end"] = f"{figures['time'] / deck['time']['end']:.2f} of the time after {figures['steps']} steps"
     _judge_figures(deck, figures, failures)

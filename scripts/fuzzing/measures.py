@@ -8,8 +8,9 @@ from .geometry import Surface, find_corner_jacobians, find_crossings, find_depth
 
 
 def measure(folder, deck):
-    """Figures by name. node_depth, edge_depth: largest of a node, of a point on a sharp edge, in shortest edges of the body
-    that it is in; contact_gain: largest work of contact over the initial energy; inverted: corners, the most of a frame."""
+    """Figures by name. node_depth, edge_depth: largest of a node, of a point on a sharp edge, in shortest edges of the
+    body that it is in; contact_gain: largest work of contact over the initial energy;
+    inverted: corners, the most of a frame."""
     run = percuss.read(folder)
     summary, history = run.summary, run.history
     figures = {"time": summary["time"], "steps": summary["steps"], "energy_error": summary["energy"]["error"],
@@ -64,7 +65,8 @@ def _find_deepest(surfaces, x):
             edge = find_depths(a.edge_samples(x), b, x, extra).max(initial=0) if len(a.edges) else 0.0
             if b.is_shell:
                 depth = max(depth, _find_depth_behind(a, b, x))
-            deepest_node, deepest_edge = max(deepest_node, depth / b.edge_length), max(deepest_edge, edge / b.edge_length)
+            deepest_node, deepest_edge = (max(deepest_node, depth / b.edge_length),
+                                          max(deepest_edge, edge / b.edge_length))
     return deepest_node, deepest_edge
 
 

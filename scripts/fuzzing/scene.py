@@ -19,8 +19,8 @@ MATERIALS = {
     "light": {"model": "elastic", "density": 2700.0, "youngs_modulus": 70e9, "poissons_ratio": 0.33},
     "copper": {"model": "j2_plasticity", "density": 8930.0, "youngs_modulus": 117e9, "poissons_ratio": 0.35,
                "yield_stress": 100e6, "hardening_modulus": 300e6},
-    "iron": {"model": "johnson_cook", "density": 7890.0, "youngs_modulus": 207e9, "poissons_ratio": 0.29, "a": 175e6, "b": 380e6,
-             "n": 0.32, "c": 0.06, "m": 0.55, "specific_heat": 452.0, "melt_temperature": 1811.0},
+    "iron": {"model": "johnson_cook", "density": 7890.0, "youngs_modulus": 207e9, "poissons_ratio": 0.29, "a": 175e6,
+             "b": 380e6, "n": 0.32, "c": 0.06, "m": 0.55, "specific_heat": 452.0, "melt_temperature": 1811.0},
     "alloy": {"model": "voce_plasticity", "density": 2700.0, "youngs_modulus": 70e9, "poissons_ratio": 0.33,
               "yield_stress": 150e6, "saturation_stress": 100e6, "saturation_rate": 20.0, "hardening_modulus": 200e6},
     "nylon": {"model": "elastic", "density": 1150.0, "youngs_modulus": 3e9, "poissons_ratio": 0.4},
@@ -28,8 +28,8 @@ MATERIALS = {
     "rubber_mr": {"model": "mooney_rivlin", "density": 1100.0, "c10": 1e6, "c01": 0.3e6, "bulk_modulus": 50e6},
     "foam": {"model": "low_density_foam", "density": 80.0, "youngs_modulus": 5e6,
              "compression": [[0, 0], [0.05, 0.2e6], [0.6, 0.3e6], [0.8, 2e6]]},
-    "soil": {"model": "soil_and_foam", "density": 1800.0, "shear_modulus": 50e6, "unloading_bulk_modulus": 500e6, "a0": 1e8,
-             "a1": 5e3, "a2": 0.1, "compaction": [[0, 0], [0.05, 5e6], [0.2, 60e6]]},
+    "soil": {"model": "soil_and_foam", "density": 1800.0, "shear_modulus": 50e6, "unloading_bulk_modulus": 500e6,
+             "a0": 1e8, "a1": 5e3, "a2": 0.1, "compaction": [[0, 0], [0.05, 5e6], [0.2, 60e6]]},
 }
 SHELL_MATERIALS = ("steel", "hard", "light", "copper", "iron", "alloy", "nylon")
 
@@ -58,8 +58,8 @@ def make_scene(seed):
     speed = rounded(math.exp(random.uniform(math.log(min(5, 0.1 * fastest)), math.log(fastest))))
     end = _find_end(random, parts, used, size, speed)
     initial = _place(random, parts, speed, gap=0.05 * speed * end)
-    deck = {"title": f"Random scene {seed}", "units": "m, kg, s", "time": {"end": end}, "parts": parts, "materials": used,
-            "initial": initial, "contact": _make_contact(random)}
+    deck = {"title": f"Random scene {seed}", "units": "m, kg, s", "time": {"end": end}, "parts": parts,
+            "materials": used, "initial": initial, "contact": _make_contact(random)}
     if random.random() < 0.1:
         deck["elements"] = {"hourglass": "stiffness"}
     if random.random() < 0.2:
@@ -71,7 +71,8 @@ def _make_parts(random, size):
     draw = random.random()
     if draw < 0.06:
         return _make_wall_of_bricks(random, size)
-    count = random.choice([2, 2, 2, 3]) if draw < 0.75 else random.randint(4, 8) if draw < 0.94 else random.randint(9, 30)
+    count = (random.choice([2, 2, 2, 3]) if draw < 0.75 else random.randint(4, 8) if draw < 0.94
+             else random.randint(9, 30))
     fineness = (3, 7) if count < 4 else (2, 4) if count < 9 else (1.5, 2.5)
     parts = {}
     for i in range(count):
@@ -125,7 +126,8 @@ class Hull:
 
 
 def _place(random, parts, speed, gap):
-    """Puts each part beside one that has its place, without overlap. Returns the initial velocities, towards each other."""
+    """Puts each part beside one that has its place, without overlap.
+    Returns the initial velocities, towards each other."""
     hulls, initial = [], []
     for name, part in parts.items():
         hull = Hull(*find_hull(part))
@@ -134,7 +136,8 @@ def _place(random, parts, speed, gap):
             at, toward = _find_place(random, hulls, hull, gap)
         hulls.append(hull.moved(at))
         part["at"] = [rounded(float(value), 6) for value in at]
-        velocity = speed * toward + 0.1 * speed * np.array([random.gauss(0, 1) for _ in range(3)]) * (random.random() < 0.5)
+        velocity = (speed * toward
+                    + 0.1 * speed * np.array([random.gauss(0, 1) for _ in range(3)]) * (random.random() < 0.5))
         entry = {"part": name, "velocity": [rounded(float(value)) for value in velocity]}
         if random.random() < 0.2:
             extent = float(np.ptp(hull.points, axis=0).max() + 2 * hull.radius)
@@ -154,7 +157,8 @@ def _find_place(random, hulls, hull, gap):
         target = hulls[random.randrange(len(hulls))]
         side = np.array([random.gauss(0, 0.1) for _ in range(3)]) * np.ptp(target.points, axis=0)
         start = hull.moved(target.middle - hull.middle + side)
-        far = float((target.points @ direction).max() - (start.points @ direction).min()) + target.radius + hull.radius + 2 * gap
+        far = (float((target.points @ direction).max() - (start.points @ direction).min()) + target.radius
+               + hull.radius + 2 * gap)
         if not _is_free(hulls, start.moved(far * direction), gap):
             continue
         near = 0.0

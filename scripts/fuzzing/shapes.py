@@ -38,7 +38,8 @@ def _make_box(random, size, edge):
 
 def _make_cylinder(random, size, edge):
     radius, length = rounded(size * random.uniform(0.2, 0.5)), rounded(size * random.uniform(0.3, 1))
-    return {"cylinder": {"radius": radius, "length": length, "cells": [_cells(2 * radius, edge, 3), _cells(length, edge)]}}
+    return {"cylinder": {"radius": radius, "length": length,
+                         "cells": [_cells(2 * radius, edge, 3), _cells(length, edge)]}}
 
 
 def _make_tube(random, size, edge):
@@ -105,8 +106,8 @@ def count_bodies(part):
 def count_elements(part):
     kind = kind_of(part)
     cells = part[kind]["cells"]
-    counts = {"cylinder": lambda: cells[0] ** 2 * cells[1], "sphere": lambda: cells**3, "shell_sphere": lambda: 6 * cells**2,
-              "shell_box_tube": lambda: 2 * (cells[0] + cells[1]) * cells[2] + 2 * cells[0] * cells[1]}
+    counts = {"cylinder": lambda: cells[0] ** 2 * cells[1], "sphere": lambda: cells**3, "shell_sphere": lambda: 6
+              * cells**2, "shell_box_tube": lambda: 2 * (cells[0] + cells[1]) * cells[2] + 2 * cells[0] * cells[1]}
     one = counts[kind]() if kind in counts else int(np.prod(cells))
     return one * count_bodies(part)
 

@@ -34,7 +34,8 @@ def _propose(deck, shortest):
         yield from (_without(deck, [name]) for name in names)
     for name, part in deck["parts"].items():
         if "array" in part and max(part["array"]["count"]) > 1:
-            yield _changed(deck, name, array={**part["array"], "count": [max(1, n // 2) for n in part["array"]["count"]]})
+            yield _changed(deck, name,
+                           array={**part["array"], "count": [max(1, n // 2) for n in part["array"]["count"]]})
     for share in (0.5, 0.8):
         if share * deck["time"]["end"] >= shortest:
             yield {**deck, "time": {**deck["time"], "end": float(f"{share * deck['time']['end']:.3g}")}}

@@ -13,23 +13,27 @@ def kind_of(option):
 
 def write_bash(program, commands):
     names = " ".join([command.name for command in commands] + list(WORDS))
-    lines = [_BASH_HEAD, "_percuss() {", '  local current=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}',
+    lines = [_BASH_HEAD, "_percuss() {",
+             '  local current=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}',
              "  local command='' word options='' values=nothing", "  COMPREPLY=()",
              '  for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do',
              '    if [[ $word != -* ]]; then command=$word; break; fi', "  done", "  case $command in"]
-    lines += ["    '')", f"      _percuss_words {_quote(names + ' ' + _all_names(program))}", "      return ;;",
-              "    help)", f"      _percuss_words {_quote(' '.join(command.name for command in commands))}", "      return ;;"]
+    lines += ["    '')",
+              f"      _percuss_words {_quote(names + ' ' + _all_names(program))}", "      return ;;", "    help)",
+              f"      _percuss_words {_quote(' '.join(command.name for command in commands))}", "      return ;;"]
     for command in commands:
         kind = kind_of(command.positionals[0]) if command.positionals else NOTHING
-        lines += [f"    {command.name})", f"      options={_quote(_all_names(command))} values={kind}", "      case $before in"]
+        lines += [f"    {command.name})",
+                  f"      options={_quote(_all_names(command))} values={kind}", "      case $before in"]
         for option in command.options:
             if not option.value:
                 continue
-            action = f"_percuss_words {_quote(' '.join(option.choices))}" if option.choices else f"_percuss_{kind_of(option)}"
+            action = (f"_percuss_words {_quote(' '.join(option.choices))}" if option.choices
+                      else f"_percuss_{kind_of(option)}")
             lines.append(f"        {'|'.join(option.names)}) {action}; return ;;")
         lines += ["      esac ;;"]
-    lines += ["  esac", "  if [[ $current == -* ]]; then", '    _percuss_words "$options"', "  else", '    "_percuss_$values"',
-              "  fi", "}", "complete -F _percuss percuss"]
+    lines += ["  esac", "  if [[ $current == -* ]]; then", '    _percuss_words "$options"', "  else",
+              '    "_percuss_$values"', "  fi", "}", "complete -F _percuss percuss"]
     return "\n".join(lines) + "\n"
 
 
@@ -63,13 +67,15 @@ _ZSH_ACTIONS = {DECKS: '_files -g "*.(yaml|yml)"', FOLDERS: "_files -/", FILES: 
 
 
 def write_zsh(program, commands):
-    lines = ["#compdef percuss", "# Completion of percuss for zsh. Made by scripts/make_manual from the help texts.", "",
-             "_percuss() {", "  local context state state_descr line", "  typeset -A opt_args", "  local -a commands", "  commands=("]
+    lines = ["#compdef percuss",
+             "# Completion of percuss for zsh. Made by scripts/make_manual from the help texts.", "", "_percuss() {",
+             "  local context state state_descr line", "  typeset -A opt_args", "  local -a commands", "  commands=("]
     lines += [f"    {_quote(command.name + ':' + _plain(command.summary))}" for command in commands]
     lines += ["    'help:Explain a command'", "    'version:Print the version'", "  )", "  _arguments -C \\"]
     lines += [f"    {spec} \\" for option in program.options for spec in _zsh_specs(option)]
-    lines += ["    '1: :->command' \\", "    '*:: :->rest'", "  case $state in", "    command) _describe command commands ;;",
-              "    rest)", "      case $words[1] in", "        help) _describe command commands ;;"]
+    lines += ["    '1: :->command' \\", "    '*:: :->rest'", "  case $state in",
+              "    command) _describe command commands ;;", "    rest)", "      case $words[1] in",
+              "        help) _describe command commands ;;"]
     for command in commands:
         lines.append(f"        {command.name})")
         specs = [spec for option in command.options for spec in _zsh_specs(option)]

@@ -3,7 +3,8 @@
 import re
 from dataclasses import dataclass, field
 
-LISTS = {"options": "options", "optional arguments": "options", "positionals": "positionals", "positional arguments": "positionals"}
+LISTS = {"options": "options", "optional arguments": "options", "positionals": "positionals",
+         "positional arguments": "positionals"}
 # Two spaces or more stand between an option and its text; an option that is long has its text in the next line.
 ENTRY = re.compile(r"  (\S.*?)(?:\s{2,}(\S.*))?$")
 

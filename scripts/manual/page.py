@@ -23,7 +23,8 @@ def write_page(version, program, commands):
 
 
 def _escape(text):
-    text = text.replace("\\", "\\e").replace("-", "\\-").replace("`", "\\(ga").replace("'", "\\(aq").replace("^", "\\(ha")
+    text = text.replace("\\", "\\e").replace("-", "\\-").replace("`", "\\(ga").replace("'", "\\(aq").replace("^",
+                                                                                                             "\\(ha")
     return "\\&" + text if text.startswith(".") else text
 
 
@@ -36,7 +37,8 @@ def _list(options):
     for option in options:
         value = "{" + ",".join(option.choices) + "}" if option.choices else option.value
         names = ", ".join(f"\\fB{_escape(name)}\\fR" for name in option.names)
-        lines += [".TP", f"{names} \\fI{_escape(value)}\\fR" if names and value else names or f"\\fI{_escape(value)}\\fR"]
+        lines += [".TP",
+                  f"{names} \\fI{_escape(value)}\\fR" if names and value else names or f"\\fI{_escape(value)}\\fR"]
         lines.append(_escape(option.text) or ".br")
     return lines
 

@@ -1,4 +1,5 @@
-"""What scripts/fuzz_scenes makes and measures, without the program: fuzzing_test.py. Exit code 77 without NumPy or h5py."""
+"""What scripts/fuzz_scenes makes and measures, without the program: fuzzing_test.py.
+Exit code 77 without NumPy or h5py."""
 
 import random as randoms
 import sys
@@ -82,10 +83,13 @@ NUMBER = {"type": "number", "minimum": 0, "maximum": 1}
 # As percuss schema writes it, with few keys.
 SCHEMA = make_map(
     time=make_map(end={"type": "number"}, step_scale={"type": "number"}, step_estimate={"enum": ["element", "global"]}),
-    parts={"type": "object", "patternProperties": {"x": make_map(points={"type": "integer"}, bulk_viscosity=make_map(linear=NUMBER))}},
-    contact=make_map(edges={"type": "boolean"}, restitution=NUMBER, friction={"anyOf": [{"type": "number"}, make_map(default=NUMBER)]},
+    parts={"type": "object",
+           "patternProperties": {"x": make_map(points={"type": "integer"}, bulk_viscosity=make_map(linear=NUMBER))}},
+    contact=make_map(edges={"type": "boolean"}, restitution=NUMBER,
+                     friction={"anyOf": [{"type": "number"}, make_map(default=NUMBER)]},
                      ties={"type": "array", "items": make_map(cohesive=make_map(plateau=NUMBER))}),
-    elements=make_map(hourglass={"anyOf": [{"enum": ["viscous"]}, make_map(kind={"enum": ["viscous"]}, coefficient=NUMBER)]}),
+    elements=make_map(hourglass={"anyOf": [{"enum": ["viscous"]},
+                                           make_map(kind={"enum": ["viscous"]}, coefficient=NUMBER)]}),
     erosion=make_map(free_nodes={"enum": ["keep", "remove"]}), audit=make_map(),
     start=make_map(relaxation=make_map(damping={"type": "number"})))
 
@@ -107,15 +111,16 @@ class Drawing(unittest.TestCase):
             deck = scene.write_deck(families.make_scene(seed, SCHEMA)[0])
             self.assertEqual(deck, scene.write_deck(families.make_scene(seed, SCHEMA)[0]))
             text += deck
-        for word in (*families.CUTS[2:], "thick_shell", "membrane", "plies", "line", "truss", "rigid: true", "springs", "welds",
-                     "cohesive", "constraints", "rigid_sets", "embedded", "joints", "turn_springs",
+        for word in (*families.CUTS[2:], "thick_shell", "membrane", "plies", "line", "truss", "rigid: true", "springs",
+                     "welds", "cohesive", "constraints", "rigid_sets", "embedded", "joints", "turn_springs",
                      "relaxation", "failure", "from: at", "until: at"):
             self.assertIn(word, text)
 
 
 class Comparing(unittest.TestCase):
     def test_a_warning_that_is_lost_or_has_another_time_is_told(self):
-        early, late = {"rule": "missed_contact", "text": "a", "time": 1.0}, {"rule": "missed_contact", "text": "a", "time": 2.0}
+        early, late = ({"rule": "missed_contact", "text": "a", "time": 1.0},
+                       {"rule": "missed_contact", "text": "a", "time": 2.0})
         self.assertEqual(comparing.compare_warnings([early], [early, {"rule": "idle_ranks", "text": "b"}]), [])
         self.assertEqual(len(comparing.compare_warnings([], [early])), 1)
         self.assertEqual(len(comparing.compare_warnings([late], [early])), 2)

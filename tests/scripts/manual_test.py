@@ -36,7 +36,8 @@ class Manual(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = folder.name
-        subprocess.run([sys.executable, os.path.join(ROOT, "scripts/make_manual"), PERCUSS, cls.folder], check=True, timeout=300)
+        subprocess.run([sys.executable, os.path.join(ROOT, "scripts/make_manual"), PERCUSS, cls.folder], check=True,
+                       timeout=300)
         with open(os.path.join(cls.folder, "percuss.1"), encoding="utf-8") as file:
             cls.source = file.read()
 
@@ -67,7 +68,8 @@ class Manual(unittest.TestCase):
     def test_is_read_without_a_warning(self):
         if not shutil.which("groff"):
             self.skipTest("no groff")
-        done = subprocess.run(["groff", "-man", "-Tutf8", "-ww", os.path.join(self.folder, "percuss.1")], capture_output=True, text=True)
+        done = subprocess.run(["groff", "-man", "-Tutf8", "-ww", os.path.join(self.folder, "percuss.1")],
+                              capture_output=True, text=True)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("--restart", re.sub(r"\x1b\[\d*m|.\x08", "", done.stdout))
 
@@ -75,7 +77,8 @@ class Manual(unittest.TestCase):
         """What bash offers for the last word."""
         script = os.path.join(self.folder, "percuss.bash")
         code = 'source "$0"; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _percuss; printf "%s\\n" "${COMPREPLY[@]}"'
-        done = subprocess.run(["bash", "-c", code, script, "percuss", *words], capture_output=True, text=True, cwd=self.folder)
+        done = subprocess.run(["bash", "-c", code, script, "percuss", *words], capture_output=True, text=True,
+                              cwd=self.folder)
         self.assertEqual(done.stderr, "")
         return done.stdout.split("\n")[:-1] if done.stdout.strip() else []
 

@@ -1,4 +1,5 @@
-"""CHANGELOG and the recipes in packaging/, as far as they can be tested without Spack and a container: packaging_test.py ROOT."""
+"""CHANGELOG and the recipes in packaging/, as far as they can be tested without Spack and a container:
+packaging_test.py ROOT."""
 
 import glob
 import os
@@ -38,15 +39,18 @@ class Packaging(unittest.TestCase):
     def test_python_package_has_the_version_and_all_its_files(self):
         """pip takes the folders that are packages, and of other files those that pyproject.toml names."""
         project = read("python/pyproject.toml")
-        self.assertEqual(re.search(r'^version = "([^"]+)"', project, re.M)[1], re.search(r"project\(percuss VERSION (\S+)", read("CMakeLists.txt"))[1])
-        patterns = [f"{package.replace('.', '/')}/{name}" for package, names in re.findall(r'^"(percuss[\w.]*)" = \[(.*)\]', project, re.M)
+        self.assertEqual(re.search(r'^version = "([^"]+)"', project, re.M)[1],
+                         re.search(r"project\(percuss VERSION (\S+)", read("CMakeLists.txt"))[1])
+        patterns = [f"{package.replace('.', '/')}/{name}"
+                    for package, names in re.findall(r'^"(percuss[\w.]*)" = \[(.*)\]', project, re.M)
                     for name in re.findall(r'"([^"]+)"', names)]
         named = {name for pattern in patterns for name in glob.glob(pattern, root_dir=os.path.join(ROOT, "python"))}
         others = set()
         for folder, folders, names in os.walk(os.path.join(ROOT, "python/percuss")):
             folders[:] = [name for name in folders if name != "__pycache__"]
             self.assertIn("__init__.py", names, folder)
-            others |= {os.path.relpath(os.path.join(folder, name), os.path.join(ROOT, "python")) for name in names if not name.endswith(".py")}
+            others |= {os.path.relpath(os.path.join(folder, name), os.path.join(ROOT, "python"))
+                       for name in names if not name.endswith(".py")}
         self.assertEqual(named, others)
 
     def test_recipe_of_spack_names_options_and_libraries_of_the_build(self):
@@ -57,18 +61,22 @@ class Packaging(unittest.TestCase):
             self.assertTrue(name == "BUILD_TESTING" or re.search(rf"(set|option)\({name} ", settings), name)
         dependencies = {re.match(r"[\w-]+", text)[0] for text in told["depends_on"]}
         sought = re.findall(r"find_package\(([\w+-]+)", read("cmake/PercussDependencies.cmake"))
-        names = {"KokkosKernels": "kokkos-kernels", "nlohmann_json": "nlohmann-json", "PkgConfig": "pkgconfig", "ZLIB": "zlib-api"}
+        names = {"KokkosKernels": "kokkos-kernels", "nlohmann_json": "nlohmann-json", "PkgConfig": "pkgconfig",
+                 "ZLIB": "zlib-api"}
         self.assertLessEqual({names.get(name, name.lower()) for name in sought}, dependencies)
         self.assertLessEqual({"metis", "seacas", "netcdf-c", "muparser"}, dependencies)
 
     def test_recipe_of_spack_has_the_least_versions_of_the_build(self):
         _, told = load_recipe()
-        least = {match[1]: match[2] for match in (re.match(r"([\w-]+)@([\d.]+):", text) for text in told["depends_on"]) if match}
+        least = {match[1]: match[2]
+                 for match in (re.match(r"([\w-]+)@([\d.]+):", text) for text in told["depends_on"]) if match}
         libraries = read("cmake/PercussDependencies.cmake")
-        self.assertEqual(least["cmake"], re.search(r"cmake_minimum_required\(VERSION ([\d.]+)\)", read("CMakeLists.txt"))[1])
+        self.assertEqual(least["cmake"],
+                         re.search(r"cmake_minimum_required\(VERSION ([\d.]+)\)", read("CMakeLists.txt"))[1])
         kokkos = re.search(r"Kokkos_VERSION VERSION_LESS ([\d.]+)\)", libraries)[1]
         self.assertEqual((least["kokkos"], least["kokkos-kernels"]), (kokkos, kokkos))
-        self.assertEqual(least["python"], re.search(r"Needs Python ([\d.]+\d)", read("python/percuss/importing/tool.py"))[1])
+        self.assertEqual(least["python"],
+                         re.search(r"Needs Python ([\d.]+\d)", read("python/percuss/importing/tool.py"))[1])
 
     def test_container_has_what_the_debian_package_recommends(self):
         recommended = re.search(r'CPACK_DEBIAN_PACKAGE_RECOMMENDS "([^"]+)"', read("CMakeLists.txt"))[1].split(", ")

@@ -53,7 +53,8 @@ def cooks_other_solids(bench):
     than 0.6 of that with 4 cells (theory_wedges.md, section 4). Wedges are within 5 % with 16. Without averages (`plain`) they
     are stiffer: shown, not judged."""
     rows = []
-    for kind, more in (("wedges", ""), ("pyramids", ""), ("tetrahedra", ""), ("wedges", "elements: {tetrahedra: plain}")):
+    for kind, more in (("wedges", ""), ("pyramids", ""), ("tetrahedra", ""),
+                       ("wedges", "elements: {tetrahedra: plain}")):
         found = []
         for cells in (4, 8, 16) if kind == "wedges" and not more else (4, 8):
             h = bench.run("""
@@ -72,7 +73,8 @@ $more
             found.append(h.first("a_y") - 60)
         if not more:
             bench.near(f"{kind}, 8 cells a side: deflection", found[1], 0.0805, relative=0.2)
-            bench.below(f"{kind}: error with 8 cells over that with 4", abs(0.0805 - found[1]) / abs(0.0805 - found[0]), 0.6)
+            bench.below(f"{kind}: error with 8 cells over that with 4",
+                        abs(0.0805 - found[1]) / abs(0.0805 - found[0]), 0.6)
         if len(found) > 2:
             bench.near(f"{kind}, 16 cells a side: deflection", found[2], 0.0805, relative=0.05)
         rows.append([kind + (", plain" if more else ""), *(f"{x:.4f}" for x in found), *([""] * (3 - len(found)))])
@@ -108,7 +110,8 @@ output: {history: {every: 0, nodes: [{name: a, near: [1, 0.1, 0.1]}]}}
             found = run.history.first("a_z") - 0.1
             row.append(f"{100 * (found / bent - 1):+.1f} %")
             if cells == (4 if kind == "five_tetrahedra" else 2):
-                bench.near(f"{kind}, {cells} cells through: deflection", found, bent, relative=0.04 if cells == 4 else 0.03, unit="m")
+                bench.near(f"{kind}, {cells} cells through: deflection", found, bent,
+                           relative=0.04 if cells == 4 else 0.03, unit="m")
         run = bench.run("""
 time: {end: $end}
 parts: {b: {box: {size: [1, 0.05, 0.05], cells: [80, 4, 4]}, elements: $kind, material: m}}
@@ -119,7 +122,8 @@ output: {history: {every: 1e-6, nodes: [{name: a, near: [1, 0.025, 0.025]}]}}
 """, end=3.9 / speed, kind=kind)
         t, moved, peak = run.history["time"], abs(run.history["a_x"] - 1), 2 * stress / young
         sides = np.flatnonzero((moved[:-1] - peak / 2) * (moved[1:] - peak / 2) < 0)
-        times = [t[i] + (peak / 2 - moved[i]) / (moved[i + 1] - moved[i]) * (t[i + 1] - t[i]) for i in (sides[0], sides[-1])]
+        times = [t[i] + (peak / 2 - moved[i]) / (moved[i + 1] - moved[i]) * (t[i + 1] - t[i])
+                 for i in (sides[0], sides[-1])]
         bench.near(f"{kind}: time of the largest displacement", sum(times) / 2, 2 / speed, relative=3e-3, unit="s")
         bench.near(f"{kind}: largest displacement", float(moved.max()), peak, relative=0.03, unit="m")
         rows.append([*row, str(run.summary["steps"])])

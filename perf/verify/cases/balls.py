@@ -19,7 +19,8 @@ def follow_hertz(modulus, curvature, mass, speed, times):
     """Force over time from impact on: m x'' = -k x^(3/2)."""
     from scipy.integrate import solve_ivp
     k = 4 / 3 * modulus * np.sqrt(curvature)
-    path = solve_ivp(lambda _, y: [y[1], -k * max(y[0], 0)**1.5 / mass], (0, times[-1]), [0, speed], t_eval=times, rtol=1e-9, atol=1e-15)
+    path = solve_ivp(lambda _, y: [y[1], -k * max(y[0], 0)**1.5 / mass], (0, times[-1]), [0, speed], t_eval=times,
+                     rtol=1e-9, atol=1e-15)
     return k * np.maximum(path.y[0], 0)**1.5
 
 
@@ -49,12 +50,14 @@ def compare_hertz(which, measured, meshes_own, exact):
     """Rows of a table: approach, force and time of a run, of the formula with the mass of the mesh and with that of the exact ball."""
     rows = []
     for i, (name, scale) in enumerate((("approach [um]", 1e6), ("force [N]", 1), ("time [us]", 1e6))):
-        rows.append([which, name, f"{scale * measured[i]:.5g}", f"{scale * meshes_own[i]:.5g}", f"{100 * (measured[i] / meshes_own[i] - 1):+.2f} %",
-                     f"{scale * exact[i]:.5g}", f"{100 * (measured[i] / exact[i] - 1):+.1f} %"])
+        rows.append([which, name, f"{scale * measured[i]:.5g}", f"{scale * meshes_own[i]:.5g}",
+                     f"{100 * (measured[i] / meshes_own[i] - 1):+.2f} %", f"{scale * exact[i]:.5g}",
+                     f"{100 * (measured[i] / exact[i] - 1):+.1f} %"])
     return rows
 
 
-HERTZ_TABLE = ["run", "quantity", "measured", "Hertz, mass of the mesh", "difference", "Hertz, exact ball", "difference"]
+HERTZ_TABLE = ["run", "quantity", "measured",
+               "Hertz, mass of the mesh", "difference", "Hertz, exact ball", "difference"]
 
 
 @case("hertz_wall", "impact", "Hertz: a ball on a rigid wall")
@@ -82,8 +85,10 @@ def hertz_wall(bench):
         depth, force, time = find_hertz(YOUNG / (1 - NU**2), RADIUS, mass, speed)
         touching = h["time"][h["contacts"] > 0]
         which = f"{across} across"
-        measured = (find_approach(h["time"], -4 * h["momentum_z"] / mass, 1e-7), 4 * h["wall_force_z"].max(), touching[-1] - touching[0])
-        rows += compare_hertz(f"{which}, {100 * mass / exact:.1f} % of the mass", measured, (depth, force, time), find_hertz(YOUNG / (1 - NU**2), RADIUS, exact, speed))
+        measured = (find_approach(h["time"], -4 * h["momentum_z"] / mass, 1e-7), 4 * h["wall_force_z"].max(),
+                    touching[-1] - touching[0])
+        rows += compare_hertz(f"{which}, {100 * mass / exact:.1f} % of the mass", measured, (depth, force, time),
+                              find_hertz(YOUNG / (1 - NU**2), RADIUS, exact, speed))
         curves.append((which, h, touching[0]))
     bench.near(f"{which}: approach", 1e6 * measured[0], 1e6 * depth, relative=0.03, unit="um")
     bench.near(f"{which}: largest force", measured[1], force, relative=0.05, unit="N")
@@ -132,7 +137,8 @@ output: {fields: {every: 1e-6, write: [velocity, mass]}, history: {every: 1e-7}}
     mass = frames.node("mass", 0)
     masses = [4 * mass[n].sum() for n in nodes]
     depth, force, time = find_hertz(0.5 * YOUNG / (1 - NU**2), RADIUS / 2, masses[0] * masses[1] / sum(masses), speed)
-    pulls = np.array([[4 * (mass[n] * frames.node("velocity", f)[n, 2]).sum() for n in nodes] for f in range(frames.count)])
+    pulls = np.array([[4 * (mass[n] * frames.node("velocity", f)[n, 2]).sum() for n in nodes]
+                      for f in range(frames.count)])
     rate = (pulls[2:, 1] - pulls[:-2, 1]) / (frames.times[2:] - frames.times[:-2])
     touching = h["time"][h["contacts"] > 0]
     nearing = pulls[:, 0] / masses[0] - pulls[:, 1] / masses[1]
@@ -141,15 +147,17 @@ output: {fields: {every: 1e-6, write: [velocity, mass]}, history: {every: 1e-7}}
     bench.near("largest force", measured[1], force, relative=0.05, unit="N")
     bench.near("time of contact", 1e6 * measured[2], 1e6 * time, relative=0.03, unit="us")
     bench.above("restitution", (pulls[-1, 1] / masses[1] - pulls[-1, 0] / masses[0]) / speed, 0.99)
-    bench.below("linear momentum, relative change", abs(pulls.sum(axis=1) - pulls[0].sum()).max() / (0.5 * masses[1]), 1e-12)
+    bench.below("linear momentum, relative change",
+                abs(pulls.sum(axis=1) - pulls[0].sum()).max() / (0.5 * masses[1]), 1e-12)
     bench.below("energy balance, largest error", h.largest("energy_error"), 1e-3)
-    bench.table(HERTZ_TABLE, compare_hertz(f"{50 * sum(masses) / exact:.1f} % of the mass", measured, (depth, force, time),
-                                           find_hertz(0.5 * YOUNG / (1 - NU**2), RADIUS / 2, exact / 2, speed)))
+    bench.table(HERTZ_TABLE,
+                compare_hertz(f"{50 * sum(masses) / exact:.1f} % of the mass", measured, (depth, force, time),
+                              find_hertz(0.5 * YOUNG / (1 - NU**2), RADIUS / 2, exact / 2, speed)))
 
     def draw(axes):
         t = np.linspace(0, 1.02 * time, 200)
-        axes.plot(1e6 * t, follow_hertz(0.5 * YOUNG / (1 - NU**2), RADIUS / 2, masses[0] * masses[1] / sum(masses), speed, t),
-                  label="Hertz", **plots.EXACT)
+        axes.plot(1e6 * t, follow_hertz(0.5 * YOUNG / (1 - NU**2), RADIUS / 2, masses[0] * masses[1] / sum(masses),
+                                        speed, t), label="Hertz", **plots.EXACT)
         axes.plot(1e6 * (frames.times[1:-1] - touching[0]), rate, ".", label="percuss")
         axes.set(xlabel="time since impact [us]", ylabel="force [N]")
         axes.legend()
@@ -175,7 +183,8 @@ output: {history: {every: 1e-7}}
 """ + STEEL, across=across)
         h = run.history
         back = -h.last("momentum_z") / h.first("momentum_z")
-        rows.append([across, run.summary["elements"], f"{back:.5f}", f"{run.summary['energy']['contact'] / h.first('kinetic'):.4f}"])
+        rows.append([across, run.summary["elements"], f"{back:.5f}",
+                     f"{run.summary['energy']['contact'] / h.first('kinetic'):.4f}"])
         bench.below(f"{across} across: energy balance, largest error", h.largest("energy_error"), 1e-3)
     bench.above(f"{rows[-1][0]} across: restitution", back, 0.99)
     bench.table(["across", "elements", "restitution", "contact work over kinetic energy"], rows)

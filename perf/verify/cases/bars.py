@@ -7,30 +7,36 @@ from bench import case
 
 def make_steinberg(density, young, nu, start, beta, exponent, most):
     """Y = start (1 + beta p)^exponent, at most `most`, as a table over the plastic strain p."""
-    strains = np.concatenate([[0, 0.002, 0.005, 0.01, 0.02, 0.03, 0.05, 0.075], np.linspace(0.1, 1, 10), np.linspace(1.2, 4, 12)])
+    strains = np.concatenate([[0, 0.002, 0.005, 0.01, 0.02, 0.03, 0.05, 0.075], np.linspace(0.1, 1, 10),
+                              np.linspace(1.2, 4, 12)])
     stresses = np.minimum(most, start * (1 + beta * strains)**exponent)
     rows = ", ".join(f"[{p:.4g}, {y:.6g}]" for p, y in zip(strains, stresses))
-    return f"{{model: tabulated_plasticity, density: {density}, youngs_modulus: {young}, poissons_ratio: {nu}, hardening: [{rows}]}}"
+    return (f"{{model: tabulated_plasticity, density: {density}, youngs_modulus: {young}, poissons_ratio: {nu}, "
+            f"hardening: [{rows}]}}")
 
 
 HEATED = "heating_share: 0.9, start_temperature: 20, room_temperature: 20"
 LAWS = {
     "6061-T6": {
-        "Johnson-Cook": "{model: johnson_cook, density: 2703, youngs_modulus: 69e9, poissons_ratio: 0.33, a: 324e6, b: 114e6, n: 0.42, c: 0.002, m: 1.34, "
-                        f"specific_heat: 896, melt_temperature: 582, {HEATED}}}",
+        "Johnson-Cook": "{model: johnson_cook, density: 2703, youngs_modulus: 69e9, poissons_ratio: 0.33, a: 324e6, "
+                        "b: 114e6, n: 0.42, c: 0.002, m: 1.34, "
+        f"specific_heat: 896, melt_temperature: 582, {HEATED}}}",
         "Steinberg-Guinan": make_steinberg(2703, 69e9, 0.33, 290e6, 125, 0.10, 680e6)},
     "copper": {
-        "Johnson-Cook": "{model: johnson_cook, density: 8960, youngs_modulus: 124e9, poissons_ratio: 0.34, a: 90e6, b: 292e6, n: 0.31, c: 0.025, m: 1.09, "
-                        f"specific_heat: 383, melt_temperature: 1083, {HEATED}}}",
+        "Johnson-Cook": "{model: johnson_cook, density: 8960, youngs_modulus: 124e9, poissons_ratio: 0.34, a: 90e6, "
+                        "b: 292e6, n: 0.31, c: 0.025, m: 1.09, "
+        f"specific_heat: 383, melt_temperature: 1083, {HEATED}}}",
         "Steinberg-Guinan": make_steinberg(8930, 124e9, 0.34, 120e6, 36, 0.45, 640e6)},
 }
 # Metal, speed [m/s], length before [mm], length and foot radius after [mm], end of the run [s]; all bars have a diameter of 7.62 mm
-MEASURED_BARS = [("6061-T6", 275, 46.94, 38.30, 5.95, 1.2e-4), ("6061-T6", 373, 23.47, 16.51, 8.35, 7e-5), ("copper", 210, 23.47, 15.03, 8.29, 9e-5)]
+MEASURED_BARS = [("6061-T6", 275, 46.94, 38.30, 5.95, 1.2e-4), ("6061-T6", 373, 23.47, 16.51, 8.35, 7e-5),
+                 ("copper", 210, 23.47, 15.03, 8.29, 9e-5)]
 
 
 def strike_measured_bar(bench, material, speed, length, end, n):
     """A quarter of a bar of Wilkins and Guinan on a frictionless rigid wall, 4 n elements across. Returns length and foot radius after the rebound [mm]."""
-    path = meshes.write_exodus(bench.file(f"bar_{length}_{n}.exo"), *meshes.quarter_cylinder(bench, 3.81e-3, 1e-3 * length, 4 * n, round(13 * n * length / 23.47)))
+    path = meshes.write_exodus(bench.file(f"bar_{length}_{n}.exo"), *meshes.quarter_cylinder(
+        bench, 3.81e-3, 1e-3 * length, 4 * n, round(13 * n * length / 23.47)))
     frames = bench.run("""
 title: Taylor bar of Wilkins and Guinan
 time: {end: $end}
@@ -72,10 +78,12 @@ def wilkins_guinan(bench):
         for law, sizes in (("Johnson-Cook", (2,) if bench.quick else (2, 3)), ("Steinberg-Guinan", (2,))):
             for n in sizes:
                 measured = strike_measured_bar(bench, LAWS[metal][law], speed, length, end, n)
-                rows.append([f"{metal}, {speed} m/s", law, n, f"{measured[0]:.2f}", f"{final:.2f}", f"{100 * (measured[0] / final - 1):+.1f} %",
-                             f"{measured[1]:.3f}", f"{radius:.2f}", f"{100 * (measured[1] / radius - 1):+.1f} %"])
+                rows.append([f"{metal}, {speed} m/s", law, n, f"{measured[0]:.2f}", f"{final:.2f}",
+                             f"{100 * (measured[0] / final - 1):+.1f} %", f"{measured[1]:.3f}", f"{radius:.2f}",
+                             f"{100 * (measured[1] / radius - 1):+.1f} %"])
             if law == "Johnson-Cook":
                 bench.near(f"{metal}, {speed} m/s: final length", measured[0], final, relative=0.03, unit="mm")
                 if speed == 373:
                     bench.near(f"{metal}, {speed} m/s: foot radius", measured[1], radius, relative=0.03, unit="mm")
-    bench.table(["bar", "law", "n", "length [mm]", "experiment", "difference", "foot radius [mm]", "experiment", "difference"], rows)
+    bench.table(["bar", "law", "n", "length [mm]", "experiment", "difference", "foot radius [mm]", "experiment",
+                 "difference"], rows)

@@ -52,7 +52,8 @@ def measure_frequency(bench, path, elements, slenderness, along, frequency):
     x = np.arange(along + 1) / along - 0.5
     shape = np.cosh(k * x) / np.cosh(k / 2) + np.cos(k * x) / np.cos(k / 2)
     speed = 1e-5 * h * frequency * shape / np.abs(shape).max()
-    initial = "\n".join(f"  - {{nodes: {{inside: [[{a - 0.5 / along!r}, -1, -1], [{a + 0.5 / along!r}, 1, 1]]}}, velocity: [0, 0, {v!r}]}}"
+    initial = "\n".join(f"  - {{nodes: {{inside: [[{a - 0.5 / along!r}, -1, -1], [{a + 0.5 / along!r}, 1, 1]]}}, "
+                        f"velocity: [0, 0, {v!r}]}}"
                         for a, v in zip(x.tolist(), speed.tolist()))
     run = bench.run("""
 title: free bar in bending
@@ -93,7 +94,8 @@ MESHES = [
     ("1 through, trapezoids, 20 degrees", "20 deg", 1, 1, 20.0),
 ]
 # Errors that a prototype reached, of which a choice may not be worse, with half of their last digit (and 0.05 % where that is a full per cent); None: not judged
-LIMITS = {"assumed strain": [0.0165, 0.004, 0.0965, 0.0265, 0.0665, 0.0665, None], "full": [0.1065, 0.0055, 1.2855, 0.5255, None, None, None]}
+LIMITS = {"assumed strain": [0.0165, 0.004, 0.0965, 0.0265, 0.0665, 0.0665, None],
+          "full": [0.1065, 0.0055, 1.2855, 0.5255, None, None, None]}
 # Vertical deflection of the corner of Cook's membrane, nu = 0.4999: the limit, and the prototype's with 4 and 16 elements a side
 COOK_LIMIT = 8.05
 COOK = {"assumed strain": (7.32, 7.90), "full": (6.80, 7.89)}
@@ -132,7 +134,8 @@ def free_bar(bench):
             row.append(f"{100 * error:+.1f} %")
             limit = LIMITS[choice][i] if choice in LIMITS else None
             if limit is not None:
-                bench.near(f"{choice}, {name}: frequency", (1 + error) * exact / 2 / np.pi, exact / 2 / np.pi, relative=limit, unit="Hz")
+                bench.near(f"{choice}, {name}: frequency", (1 + error) * exact / 2 / np.pi, exact / 2 / np.pi,
+                           relative=limit, unit="Hz")
         rows.append(row)
     bench.near("Timoshenko's over Euler and Bernoulli's frequency (formula)", ratio, 1 - 0.0109, absolute=5e-3)
     bench.table(["mesh", "elements"] + list(known), rows, "Error of the frequency:")
@@ -140,7 +143,8 @@ def free_bar(bench):
     def draw(axes):
         width = 0.8 / len(known)
         for j, choice in enumerate(known):
-            axes.bar(np.arange(len(rows)) + j * width, [min(60, float(row[2 + j].split()[0])) for row in rows], width, label=choice)
+            axes.bar(np.arange(len(rows)) + j * width, [min(60, float(row[2 + j].split()[0])) for row in rows], width,
+                     label=choice)
         axes.set_xticks(np.arange(len(rows)) + 0.4, [mesh[1] for mesh in MESHES], fontsize=8)
         axes.axhline(0, **plots.EXACT)
         axes.set(ylabel="error of the frequency [%]", ylim=(-60, 62))
@@ -221,12 +225,14 @@ output: {history: {every: 2e-6, nodes: [{name: tip, near: [0.1, 0, 0]}]}}
     for name in judged:
         values[name][fine] = deflect(known[name], fine)[0]
     reference = np.mean([values[name][fine] for name in judged])
-    bench.near("reference: spread of the finest meshes", max(abs(values[name][fine] / reference - 1) for name in judged), 0, absolute=0.0075)
+    bench.near("reference: spread of the finest meshes",
+               max(abs(values[name][fine] / reference - 1) for name in judged), 0, absolute=0.0075)
     for name in judged:
         if name == "assumed strain":
             bench.near(f"{name}, 2 through: deflection", values[name][2], reference, relative=0.05, unit="mm")
         bench.near(f"{name}, 4 through: deflection", values[name][4], reference, relative=0.025, unit="mm")
     sizes = sorted({n for row in values.values() for n in row})
     bench.table(["choice"] + [f"{n} through" for n in sizes],
-                [[name] + [f"{row[n]:.2f} ({100 * (row[n] / reference - 1):+.1f} %)" if n in row else "" for n in sizes] for name, row in values.items()],
+                [[name] + [f"{row[n]:.2f} ({100 * (row[n] / reference - 1):+.1f} %)" if n in row else "" for n in sizes]
+                 for name, row in values.items()],
                 f"Permanent deflection [mm] and its difference from the reference, {reference:.2f} mm:")

@@ -21,7 +21,8 @@ def follow_rocking(alpha, radius, start, impacts):
     ratio = 1 - 1.5 * np.sin(alpha)**2  # of the angular velocities across an impact
     times, angles, hits, peaks, angle, rate, now, side = [], [], [], [], start, 0.0, 0.0, 1
     for _ in range(impacts + 1):
-        t, y = integrate(lambda _, s: [s[1], -kappa * np.sin(alpha - s[0])], [angle, rate], lambda t, s: -s[0] if t > 0 else -1)
+        t, y = integrate(lambda _, s: [s[1], -kappa * np.sin(alpha - s[0])],
+                         [angle, rate], lambda t, s: -s[0] if t > 0 else -1)
         times.append(now + t)
         angles.append(side * y[0])
         peaks.append(float(np.max(y[0])))
@@ -69,7 +70,8 @@ output: {history: {every: 1e-3, nodes: [{name: left, near: [0, 0, 0]}, {name: ri
         bench.near(f"time of impact {n + 1}", float(found[n]), hits[n], relative=0.005, unit="s")
         if n:
             swing = abs(tilt[(h["time"] > found[n - 1]) & (h["time"] < found[n])]).max()
-            bench.near(f"largest angle after impact {n}", float(np.degrees(swing)), float(np.degrees(peaks[n])), relative=0.02, unit="degrees")
+            bench.near(f"largest angle after impact {n}", float(np.degrees(swing)), float(np.degrees(peaks[n])),
+                       relative=0.02, unit="degrees")
 
     def draw(axes):
         axes.plot(times, np.degrees(angles), label="Housner", **plots.EXACT)
@@ -86,7 +88,8 @@ def follow_wheel(sides, inertia, slope, start, steps):
     ratio = (inertia + np.cos(2 * half)) / about_corner
     now, rate, times, rates = 0.0, start, [], []
     for _ in range(steps):
-        t, y = integrate(lambda _, s: [s[1], G / about_corner * np.sin(s[0] + slope)], [-half, rate], lambda _, s: s[0] - half)
+        t, y = integrate(lambda _, s: [s[1], G / about_corner * np.sin(s[0] + slope)],
+                         [-half, rate], lambda _, s: s[0] - half)
         now, rate = now + t[-1], ratio * y[1][-1]
         times.append(now)
         rates.append(rate)
@@ -122,7 +125,8 @@ output: {history: {every: 1e-3, nodes: [{name: n, near: [$lead, 0, 0]}]}}
     found = h["time"][jumps] - 5e-4
     for n in (1, 5, 10, 15):
         bench.near(f"time of impact {n}", float(found[n - 1]), float(times[n - 1]), relative=0.005, unit="s")
-    bench.near("angular velocity after impact 15", float(spin[jumps[14] + 1]), float(rates[14]), relative=0.01, unit="rad/s")
+    bench.near("angular velocity after impact 15", float(spin[jumps[14] + 1]), float(rates[14]), relative=0.01,
+               unit="rad/s")
     ratio = (inertia + np.cos(2 * np.pi / sides)) / (inertia + 1)
     gain = 4 * G * np.sin(np.pi / sides) * np.sin(slope) / (inertia + 1)
     bench.note(f"In the end it would be {np.sqrt(ratio**2 / (1 - ratio**2) * gain):.4f} rad/s.")
@@ -186,7 +190,8 @@ def dominoes(bench):
     count, pitch, height, depth, start = 12, 0.024, 0.048, 0.0075, 6.0
     width = 0.024
     inertia = turn_box(1.0, (depth, width, height))
-    parts = "\n".join(f"  d{n}: {{box: {{size: [{depth}, {width}, {height}], cells: [1, 2, 1]}}, at: [{pitch * n!r}, 0, 0], material: m, rigid: {{mass: 1, inertia: {inertia}}}}}"
+    parts = "\n".join(f"  d{n}: {{box: {{size: [{depth}, {width}, {height}], cells: [1, 2, 1]}}, at: [{pitch * n!r}, "
+                      f"0, 0], material: m, rigid: {{mass: 1, inertia: {inertia}}}}}"
                       for n in range(count))
     nodes = ", ".join(f"{{name: d{n}, part: d{n}, near: [{pitch * n!r}, 0, {height}]}}" for n in range(count))
     exact = follow_dominoes(count, pitch, height, depth, start)
@@ -206,10 +211,12 @@ output: {history: {every: 2e-4, nodes: [$nodes]}}
     for n in range(1, count):
         turned = (h[f"d{n}_x"] - pitch * n) / height
         start = np.argmax(turned > 1e-3)
-        found.append(float(np.interp(1e-3, turned[start - 1:start + 1], h["time"][start - 1:start + 1])) if turned.max() > 1e-3 else float("nan"))
+        found.append(float(np.interp(1e-3, turned[start - 1:start + 1], h["time"][start - 1:start + 1]))
+                     if turned.max() > 1e-3 else float("nan"))
     found = np.array(found)
     for n in (4, 8, 11):
-        bench.near(f"time at which domino {n + 1} is struck", found[n - 1], float(exact[n - 1]), relative=0.01, unit="s")
+        bench.near(f"time at which domino {n + 1} is struck", found[n - 1], float(exact[n - 1]),
+                   relative=0.01, unit="s")
     speed, wanted = (float(4 * pitch / (t[-1] - t[-5])) for t in (found, exact))
     bench.near("speed of the front over the last four", speed, wanted, relative=0.01, unit="m/s")
     bench.note(f"That is {speed / np.sqrt(G * height):.3f} of sqrt(g H).")
@@ -270,8 +277,10 @@ def write_arch(blocks, thickness, end, depth=0.3):
         turn, angle = 180.0 * (n + 1) / blocks, np.pi * (n + 0.5) / blocks
         y = depth if n % 2 else 0.8 * depth
         place = [float(center * np.cos(angle)), 0.0, float(center * np.sin(angle))]
-        parts.append(f"  b{n}: {{tube: {{inner_radius: {1 - thickness / 2!r}, outer_radius: {1 + thickness / 2!r}, length: {y!r}, cells: [1, 3, 1], arc: {180.0 / blocks!r}}}, "
-                     f"axis: y, rotate: [{{axis: y, angle: {-turn!r}}}], at: [0, {-y / 2!r}, 0], material: m, rigid: {{mass: {1000 * area * depth!r}, center: {place}}}}}")
+        parts.append(f"  b{n}: {{tube: {{inner_radius: {1 - thickness / 2!r}, outer_radius: {1 + thickness / 2!r}, "
+                     f"length: {y!r}, cells: [1, 3, 1], arc: {180.0 / blocks!r}}}, axis: y, rotate: [{{axis: y, "
+                     f"angle: {-turn!r}}}], at: [0, {-y / 2!r}, 0], material: m, "
+                     f"rigid: {{mass: {1000 * area * depth!r}, center: {place}}}}}")
     return f"""
 title: An arch of {blocks} blocks
 time: {{end: {end}, max_step: 5e-4}}

@@ -45,7 +45,8 @@ def ball_in_box(bench):
     the open points)."""
     start = {"vx": 0.013, "vy": 0.0083, "vz": 0.0047, "every": 7.0, "viscosity": NO_VISCOSITY, "rigid": ""}
     rows, curves = [], []
-    for name, end, time in (("kinematic", 92000.0, ""), ("lagrange", 92000.0, ""), ("penalty", 23400.0, ""), ("penalty", 23400.0, ", step_scale: 0.3")):
+    for name, end, time in (("kinematic", 92000.0, ""), ("lagrange", 92000.0, ""), ("penalty", 23400.0, ""),
+                            ("penalty", 23400.0, ", step_scale: 0.3")):
         run = bench.run(BOX, **start, end=end, time=time, enforcement=f", enforcement: {name}")
         h, (bounces, total) = run.history, measure_ball(run.history)
         label = f"{name}{', a third of the step' if time else ''}"
@@ -53,10 +54,14 @@ def ball_in_box(bench):
         if name != "penalty" or time:
             bench.below(f"{label}: energy that contact gives, over that at the start", float(given.max()), 1e-4)
             bench.below(f"{label}: energy balance, largest error", h.largest("energy_error"), 0.01)
-        bench.below(f"{label}: linear momentum, relative change without the walls' impulse", run.summary["momentum"]["linear_error"], 1e-12)
-        rows.append([label, run.summary["steps"], bounces, f"{total[-1]:.4f}", f"{h['kinetic'][-1] / h['kinetic'][0]:.4f}", f"{given[-1]:+.4f}", f"{h.largest('energy_error'):.1e}"])
+        bench.below(f"{label}: linear momentum, relative change without the walls' impulse",
+                    run.summary["momentum"]["linear_error"], 1e-12)
+        rows.append([label, run.summary["steps"], bounces, f"{total[-1]:.4f}",
+                     f"{h['kinetic'][-1] / h['kinetic'][0]:.4f}", f"{given[-1]:+.4f}",
+                     f"{h.largest('energy_error'):.1e}"])
         curves.append((label, h["time"], total))
-    bench.table(["contact", "steps", "bounces", "energy at the end over that at the start", "kinetic", "contact", "energy error"], rows)
+    bench.table(["contact", "steps", "bounces",
+                 "energy at the end over that at the start", "kinetic", "contact", "energy error"], rows)
 
     def draw(axes):
         for name, times, energy in curves:
@@ -73,12 +78,15 @@ def rigid_ball_in_box(bench):
     bounce turns one component of the velocity around. The components keep their size to round-off over more than a thousand
     bounces, and contact gives and takes nothing. With springs of contact, the rule is the same (theory_contact.md, section 5)."""
     for name in ("kinematic", "penalty"):
-        h = bench.run(BOX, vx=0.013, vy=0.0083, vz=0.0047, every=7.0, viscosity="", rigid=", rigid: {fixed: [rx, ry, rz]}", end=92000.0,
-                      time=", max_step: 4", enforcement=f", enforcement: {name}, restitution: 1").history
+        h = bench.run(BOX, vx=0.013, vy=0.0083, vz=0.0047, every=7.0, viscosity="",
+                      rigid=", rigid: {fixed: [rx, ry, rz]}", end=92000.0, time=", max_step: 4",
+                      enforcement=f", enforcement: {name}, restitution: 1").history
         bounces = 0
         for axis in "xyz":
             momentum = h[f"momentum_{axis}"]
             bounces += int((np.diff(np.sign(momentum)) != 0).sum())
-            bench.near(f"{name}: size of the momentum along {axis}, end over start", abs(h.last(f"momentum_{axis}")) / h.first(f"momentum_{axis}"), 1, relative=1e-10)
+            bench.near(f"{name}: size of the momentum along {axis}, end over start",
+                       abs(h.last(f"momentum_{axis}")) / h.first(f"momentum_{axis}"), 1, relative=1e-10)
         bench.above(f"{name}: bounces", bounces, 1000)
-        bench.below(f"{name}: energy of contact over that at the start, largest", h.largest("contact") / h.first("kinetic"), 1e-10)
+        bench.below(f"{name}: energy of contact over that at the start, largest",
+                    h.largest("contact") / h.first("kinetic"), 1e-10)

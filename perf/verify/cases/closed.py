@@ -64,12 +64,15 @@ output: {history: {every: 1e-5, nodes: [{name: pushed, near: [$last, 0, 0]}]}}
         for scene, run, energy, axis in scenes:
             which, h = f"{name}, {scene}", run.history
             bench.closed(run, energy, which)
-            bench.below(f"{which}: energy that contact gives over the kinetic energy", h["contact"].max() / h["kinetic"][0], energy)
+            bench.below(f"{which}: energy that contact gives over the kinetic energy",
+                        h["contact"].max() / h["kinetic"][0], energy)
             bench.above(f"{which}: interactions", h.largest("contacts"), 0)
-            bench.above(f"{which}: way of what is pushed", abs(h.last(f"pushed_{axis}") - h.first(f"pushed_{axis}")), PUSHED[scene.split()[0]], "m")
+            bench.above(f"{which}: way of what is pushed", abs(h.last(f"pushed_{axis}") - h.first(f"pushed_{axis}")),
+                        PUSHED[scene.split()[0]], "m")
             if scene == "wall":
                 bench.below(f"{which}: work of friction", h.last("friction"), 0, "J")
-                bench.near(f"{which}: largest rise of the work of friction", max(np.diff(h["friction"]).max(), 0), 0, absolute=0.0, unit="J")
+                bench.near(f"{which}: largest rise of the work of friction", max(np.diff(h["friction"]).max(), 0), 0,
+                           absolute=0.0, unit="J")
             else:
                 bench.near(f"{which}: work of friction", h.largest("friction"), 0, absolute=0.0, unit="J")
 
@@ -105,7 +108,8 @@ def resting_pile(bench):
     runs["kinematic"] = runs["kinematic"][0], 1e-5
     runs["kinematic, tolerance 1e-5"] = runs["kinematic"][0] + ", tolerance: 1e-5", 1e-6
     for name, (text, hum) in runs.items():
-        steps = (3_000 if name == "lagrange" else 20_000) if bench.quick else 20_000 if name == "lagrange" else 1_000_000
+        steps = ((3_000 if name == "lagrange" else 20_000) if bench.quick else 20_000 if name == "lagrange"
+                 else 1_000_000)
         run = bench.run(PILE, steps=steps, every=0.01 * steps * 1e-6, enforcement=text)
         h = run.history
         share = h["time"] / h["time"][-1]
@@ -115,9 +119,12 @@ def resting_pile(bench):
         drift = max(abs(h[f"{n}_{x}"][end].mean() - h[f"{n}_{x}"][early].mean()) for n in "nm" for x in "xyz")
         bench.equal(f"{name}: steps", run.summary["steps"], steps)
         bench.below(f"{name}: drift over a brick's height", drift / 0.06, 1e-5)
-        bench.below(f"{name}: largest kinetic energy after a tenth of the run over m g H", h["kinetic"][late].max() / scale, hum)
-        bench.below(f"{name}: the same of the last third over the middle third", h["kinetic"][last].max() / h["kinetic"][middle].max(), 1.1)
-        bench.below(f"{name}: energy balance, largest error", h.largest("energy_error"), 1e-2 if name == "penalty" else 1e-3)
+        bench.below(f"{name}: largest kinetic energy after a tenth of the run over m g H",
+                    h["kinetic"][late].max() / scale, hum)
+        bench.below(f"{name}: the same of the last third over the middle third",
+                    h["kinetic"][last].max() / h["kinetic"][middle].max(), 1.1)
+        bench.below(f"{name}: energy balance, largest error", h.largest("energy_error"),
+                    1e-2 if name == "penalty" else 1e-3)
 
 
 @case("pile_on_ranks", "hard", "Stacked bricks on four ranks", quick=True)
@@ -130,4 +137,5 @@ def pile_on_ranks(bench):
         bench.equal(f"{name}: steps", one.summary["steps"], steps)
         bench.above(f"{name}: interactions, most at once", one.history["contacts"].max(), 0)
         bench.equal(f"{name}: state_hash on 4 ranks and on 1", four.summary["state_hash"], one.summary["state_hash"])
-        bench.equal(f"{name}: history.csv on 4 ranks, every byte", "same" if one.history_bytes == four.history_bytes else "other", "same")
+        bench.equal(f"{name}: history.csv on 4 ranks, every byte",
+                    "same" if one.history_bytes == four.history_bytes else "other", "same")

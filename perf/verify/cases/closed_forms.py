@@ -27,9 +27,11 @@ def shaft_torsion(bench):
     end: the torque there is rho c J w, with the speed of torsion c, until the wave is back. Within 1 %."""
     exact = TORSION_SPEED / 4
     rows = []
-    flat = "{general: {area: 4e-4, inertia_y: 4e-9, inertia_z: 38.5e-9, torsion: 10e-9, shear_area_y: 3.3e-4, shear_area_z: 3.3e-4}}"
+    flat = ("{general: {area: 4e-4, inertia_y: 4e-9, inertia_z: 38.5e-9, torsion: 10e-9, shear_area_y: 3.3e-4, "
+            "shear_area_z: 3.3e-4}}")
     sections = [("round", "{round: {radius: 0.01}}", exact, (5, 10, 20, 40)),
-                ("tube", "{tube: {outer_radius: 0.02, inner_radius: 0.018}}", exact, (20,)), ("flat", flat, exact * math.sqrt(0.1 / 0.425), (20,))]
+                ("tube", "{tube: {outer_radius: 0.02, inner_radius: 0.018}}", exact, (20,)),
+                ("flat", flat, exact * math.sqrt(0.1 / 0.425), (20,))]
     for name, section, frequency, meshes in sections:
         for cells in meshes:
             period = 1 / frequency
@@ -52,8 +54,8 @@ initial: [{part: shaft, angular_velocity: [$spin, 0, 0]}]
 conditions: [{nodes: shaft/start, fixed: [x, y, z, rx, ry, rz]}]
 output: {history: {every: $every, forces: [{name: clamp, support: shaft/start}]}}
 """ + STEEL, end=1.8 * there, spin=spin, every=there / 400)
-    bench.near("torque of the shaft that is stopped", -run.history.mean(0.2 * there, 1.6 * there, "mx:clamp"), 7850 * TORSION_SPEED * j * spin,
-               relative=0.01, unit="N m")
+    bench.near("torque of the shaft that is stopped", -run.history.mean(0.2 * there, 1.6 * there, "mx:clamp"),
+               7850 * TORSION_SPEED * j * spin, relative=0.01, unit="N m")
 
 
 def find_turn_over(inertia, spin):
@@ -87,8 +89,10 @@ output: {history: {every: 1e-2}}
 """ + material, gx=-g * up_x, gz=-g * up_z, wx=rate * up_x, wz=own + rate * up_z).history
     x, y, z = (h[f"body_{axis}:top"] for axis in "xyz")
     angle = np.unwrap(np.arctan2(y, z * up_x - x * up_z))
-    bench.near("rate of precession of the top", float((angle[0] - angle[-1]) / (h["time"][-1] - h["time"][0])), rate, relative=1e-3, unit="rad/s")
-    bench.near("height of its middle, largest error over the arm", float(np.abs((x * up_x + z * up_z) / arm - math.cos(tilt)).max()), 0, absolute=1e-3)
+    bench.near("rate of precession of the top", float((angle[0] - angle[-1]) / (h["time"][-1] - h["time"][0])), rate,
+               relative=1e-3, unit="rad/s")
+    bench.near("height of its middle, largest error over the arm",
+               float(np.abs((x * up_x + z * up_z) / arm - math.cos(tilt)).max()), 0, absolute=1e-3)
 
 
 @case("rigid_shapes", "rigid", "Rigid blocks of one element: inertia, top, pendulum, tumbling", quick=True)
@@ -107,7 +111,8 @@ parts: {b: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, elements: $kind, material:
 initial: [{part: b, angular_velocity: [0, 0, 1]}]
 output: {history: {every: 1e-4}}
 """ + material, kind=kind)
-        bench.near(f"moment of inertia, {kind}", 2 * run.history.first("kinetic"), 1000 / 6, relative=1e-9, unit="kg m2")
+        bench.near(f"moment of inertia, {kind}", 2 * run.history.first("kinetic"), 1000 / 6, relative=1e-9,
+                   unit="kg m2")
     measure_top(bench, material)
     angle, g, mass, arm = 1, 9.81, 1000 * 0.4 * 0.1 * 0.2, 0.2
     inertia = mass * (0.16 + 0.04) / 12 + mass * arm**2
@@ -136,7 +141,8 @@ output: {history: {every: 0}}
     along = 1 - 2 * (run.history["body_q1:block"]**2 + run.history["body_q3:block"]**2)
     i = int(np.flatnonzero((along[:-1] > 0) & (along[1:] <= 0))[0])
     t = run.history["time"]
-    bench.near("time of the first turn over", t[i] + (t[i + 1] - t[i]) * along[i] / (along[i] - along[i + 1]), over, relative=1e-3, unit="s")
+    bench.near("time of the first turn over", t[i] + (t[i + 1] - t[i]) * along[i] / (along[i] - along[i + 1]), over,
+               relative=1e-3, unit="s")
 
 
 @case("solid_weld", "failure", "Spot weld between separate blocks", quick=True)
@@ -183,7 +189,8 @@ output: {history: {every: 1e-4, forces: [{name: f, support: left/x_min}]}}
 """).history
     bench.near("lap joint: force of the support", -h.mean(0.015, 0.02, "fx:f"), 1000, relative=0.01, unit="N")
     for name in ("first", "second"):
-        bench.near(f"lap joint: shear of the {name} weld", h.mean(0.015, 0.02, f"weld_shear:{name}"), 500, relative=0.02, unit="N")
+        bench.near(f"lap joint: shear of the {name} weld", h.mean(0.015, 0.02, f"weld_shear:{name}"), 500,
+                   relative=0.02, unit="N")
 
 
 @case("lap_weld", "failure", "Spot weld in a lap joint, on three meshes")
@@ -199,7 +206,8 @@ def lap_weld(bench):
         for size in (10.0, 5.0, 2.5):
             along, across = round(120 / size), round(20 / size)
             shells = kind == "shells"
-            shape = (f"shell_plate: {{size: [120, 20], cells: [{along}, {across}]}}, thickness: {thickness}" if shells else
+            shape = (f"shell_plate: {{size: [120, 20], cells: [{along}, {across}]}}, thickness: {thickness}" if shells
+                     else
                      f"box: {{size: [120, 20, {thickness}], cells: [{along}, {across}, 2]}}")
             nodes = (across + 1) * (1 if shells else 3)
             run = bench.run("""
@@ -216,9 +224,11 @@ output: {history: {every: 0, nodes: [{name: tip, near: [200, 10, $apart], part: 
 """, shape=shape, apart=apart, faces="a, b" if shells else "a/z_max, b/z_min", middle=apart / 2 if shells else thickness + gap / 2,
                             held="x, y, z, rx, ry, rz" if shells else "x, y, z", share=force / nodes)
             tip = run.history.first("tip_z") - apart
-            rows.append([kind, size, f"{1e3 * tip:.4f}", f"{100 * (tip / 0.008 - 1):+.2f} %", run.summary["relaxation"]["damped_steps"]])
+            rows.append([kind, size, f"{1e3 * tip:.4f}",
+                         f"{100 * (tip / 0.008 - 1):+.2f} %", run.summary["relaxation"]["damped_steps"]])
             bench.near(f"{kind} of {size} mm: deflection", tip, 0.008, relative=0.04, unit="mm")
-            bench.near(f"{kind} of {size} mm: normal force of the weld", run.history.last("weld_normal:spot"), force, relative=1e-3, unit="N")
+            bench.near(f"{kind} of {size} mm: normal force of the weld", run.history.last("weld_normal:spot"), force,
+                       relative=1e-3, unit="N")
     bench.table(["elements", "size [mm]", "deflection [um]", "difference from the beam", "damped steps"], rows)
 
 
@@ -238,7 +248,8 @@ def rate_table(bench):
         return slow + share(rate / (1 + slope / 210e9)) * (fast - slow)
 
     rows = []
-    for kind, part in (("hexahedra", "box: {size: [1, 1, 1], cells: [1, 1, 1]}"), ("shells", "shell_plate: {size: [1, 1], cells: [1, 1]}, thickness: 0.1")):
+    for kind, part in (("hexahedra", "box: {size: [1, 1, 1], cells: [1, 1, 1]}"),
+                       ("shells", "shell_plate: {size: [1, 1], cells: [1, 1]}, thickness: 0.1")):
         for rate in (0.01, 1.0, 10.0, 1000.0):
             for law in ("linear", "logarithmic"):
                 end = 0.06 / rate
@@ -256,7 +267,8 @@ output: {history: {every: $every, elements: [{name: m, near: [0.5, 0.5, 0.5]}]}}
 """, end=end, part=part, density=210e9 / (2000 / end)**2, law=law, rate=rate, damping=100 / end, every=end / 50)
                 right = find_stress(run.history.last("m_eps"), rate, law == "logarithmic")
                 found = run.history.last("m_von_mises")
-                rows.append([kind, rate, law, f"{1e-6 * found:.3f}", f"{1e-6 * right:.3f}", f"{100 * (found / right - 1):+.4f} %"])
+                rows.append([kind, rate, law, f"{1e-6 * found:.3f}", f"{1e-6 * right:.3f}",
+                             f"{100 * (found / right - 1):+.4f} %"])
                 bench.near(f"{kind}, {rate:g} / s, {law}", 1e-6 * found, 1e-6 * right, relative=1e-3, unit="MPa")
     bench.table(["elements", "rate [1/s]", "interpolation", "stress [MPa]", "table", "difference"], rows)
 
@@ -281,8 +293,10 @@ def rubber_stretch(bench):
         exact = find_stress(find_stretches(free), 0) * find_stretches(free)[1] * free
         for cells in (1, 2, 4):
             random = np.random.default_rng(7)
-            places = [(i / cells, j / cells, k / cells) for k in range(cells + 1) for j in range(cells + 1) for i in range(cells + 1)]
-            noise = "".join(f"  - {{nodes: {{inside: [[{x}, {y}, {z}], [{x}, {y}, {z}]]}}, velocity: [{u:.6f}, {v:.6f}, {w:.6f}]}}\n"
+            places = [(i / cells, j / cells, k / cells) for k in range(cells + 1) for j in range(cells + 1)
+                      for i in range(cells + 1)]
+            noise = "".join(f"  - {{nodes: {{inside: [[{x}, {y}, {z}], [{x}, {y}, {z}]]}}, velocity: [{u:.6f}, "
+                            f"{v:.6f}, {w:.6f}]}}\n"
                             for (x, y, z), (u, v, w) in zip(places, 1e-3 * random.uniform(-1, 1, (len(places), 3))))
             grow = '{expression: "2 * sin(pi * min(t, 20) / 40)^2"}'
             second = f"  - {{nodes: b/y_max, displacement: {{y: {grow}}}}}\n" if driven == 2 else ""

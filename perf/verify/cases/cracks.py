@@ -46,11 +46,13 @@ def loaded_crack(bench):
         measured = np.polyfit(r, each, 2)[2]
         exact = 2 / (1 - nu) * np.sqrt((1 - 2 * nu) * h["time"] / np.pi)
         late = (h["time"] > 1.5) & (h["time"] < 3.5)
-        rows.append((along, float((measured[late] / exact[late]).mean()), float((measured[late] / exact[late]).std()), bench.cpu))
+        rows.append((along, float((measured[late] / exact[late]).mean()), float((measured[late] / exact[late]).std()),
+                     bench.cpu))
         curves.append((f"{along} elements along", h["time"], measured))
     bench.near("stress intensity over the exact one, mean from 1.5 to 3.5", rows[-1][1], 1.0, relative=0.02)
     bench.below("error on the finest mesh over that on the next", abs((rows[-1][1] - 1) / (rows[-2][1] - 1)), 0.75)
-    bench.table(["elements along", "K over exact", "scatter", "time so far [s]"], [[n, f"{m:.4f}", f"{s:.4f}", f"{t:.1f}"] for n, m, s, t in rows])
+    bench.table(["elements along", "K over exact", "scatter", "time so far [s]"],
+                [[n, f"{m:.4f}", f"{s:.4f}", f"{t:.1f}"] for n, m, s, t in rows])
 
     def draw(axes):
         t = np.linspace(0, 3.6, 200)

@@ -29,8 +29,10 @@ ON_WALL = {"floor": "", "held": "", "surface": "walls: [{normal: z, friction: 0.
 
 
 def put_on_plate(enforcement):
-    return {"floor": "plate: {box: {size: [2, 1, 0.1], cells: [9, 5, 1]}, at: [-1, -0.4, -0.1], material: m, rigid: true}",
-            "held": "- {nodes: plate, fixed: [x, y, z]}", "surface": "contact: {surfaces: [[block, plate]], friction: 0.3" + enforcement + "}"}
+    return {"floor": "plate: {box: {size: [2, 1, 0.1], cells: [9, 5, 1]}, at: [-1, -0.4, -0.1], material: m, "
+                     "rigid: true}",
+            "held": "- {nodes: plate, fixed: [x, y, z]}",
+            "surface": "contact: {surfaces: [[block, plate]], friction: 0.3" + enforcement + "}"}
 
 
 def follow_oscillator(start, share, frequency, times):
@@ -70,7 +72,8 @@ def spring_slider(bench):
     third to a half of the steps (docs/limits.md). A block that sticks creeps by less than the iteration may leave
     of one step: 1e-2 g dt^2, 2.5e-8 m."""
     share, curves, dragged, rows = 0.3 * G / 100, [], [], []
-    surfaces = {"wall": ON_WALL, **{name: put_on_plate(text) for name, text in choices.list_enforcements(bench).items()}}
+    surfaces = {"wall": ON_WALL,
+                **{name: put_on_plate(text) for name, text in choices.list_enforcements(bench).items()}}
     for name, surface in surfaces.items():
         allowed = 1e-3 if name == "lagrange" else 1e-4
         h = bench.run(SLIDER, end=2.0, anchor=1.0, rest=0.6, speed=0, **surface).history
@@ -80,7 +83,8 @@ def spring_slider(bench):
         found = [float(swing[-1]), float(np.abs(swing - exact).max()), float(np.ptp(swing[late]))]
         bench.near(f"{name}: where the swinging block stops", found[0], float(exact[-1]), absolute=allowed, unit="m")
         bench.near(f"{name}: largest distance from the exact swing", found[1], 0, absolute=10 * allowed, unit="m")
-        bench.near(f"{name}: work of friction", h.last("friction"), -0.5 * 100 * (0.04 - float(exact[-1])**2), relative=2e-3, unit="J")
+        bench.near(f"{name}: work of friction", h.last("friction"), -0.5 * 100 * (0.04 - float(exact[-1])**2),
+                   relative=2e-3, unit="J")
         bench.below(f"{name}: it sticks: creep in 0.8 s", found[2], 2.5e-8, unit="m")
         curves.append((name, h["time"], swing))
         h = bench.run(SLIDER, end=2.5, anchor=1.0, rest=0.8, speed=0.05, **surface).history
@@ -88,10 +92,12 @@ def spring_slider(bench):
         way = np.where(since > 0, 0.05 * (since - np.sin(10 * since) / 10), 0)
         moved = h["n_x"] - h["n_x"][0]
         found.append(float(np.abs(moved - way).max()))
-        bench.near(f"{name}: largest distance from the exact path when dragged", found[3], 0, absolute=allowed, unit="m")
+        bench.near(f"{name}: largest distance from the exact path when dragged", found[3], 0,
+                   absolute=allowed, unit="m")
         rows.append([name, *(f"{1e3 * x:.4g}" for x in found)])
         dragged.append((name, h["time"], moved))
-    bench.table(["contact", "stops at [mm]", "largest distance, swing [mm]", "creep in 0.8 s [mm]", "largest distance, dragged [mm]"], rows)
+    bench.table(["contact", "stops at [mm]", "largest distance, swing [mm]", "creep in 0.8 s [mm]",
+                 "largest distance, dragged [mm]"], rows)
 
     def draw(axes):
         t = np.linspace(0, 2, 300)
@@ -155,13 +161,16 @@ def capstan(bench):
     mille: the tolerance is 1 %. Without damping the belt flutters later, by friction (docs/limits.md): longer runs have a
     `stiffness_damping` of 1e-6 s, a fifth of the step, and are judged from 20 to 50 ms too."""
     rows, mesh = [], wrap_belt(bench, 0.1, 0.001, 0.1, 102)
-    for mu, end, damping in ((0.2, 0.011, ""), (0.1, 0.011, ""), (0.2, 0.05, ", stiffness_damping: 1e-6"), (0.4, 0.05, ", stiffness_damping: 1e-6")):
+    for mu, end, damping in ((0.2, 0.011, ""), (0.1, 0.011, ""), (0.2, 0.05, ", stiffness_damping: 1e-6"),
+                             (0.4, 0.05, ", stiffness_damping: 1e-6")):
         exact = float(np.exp(mu * np.pi))
         h = bench.run(BELT, mesh=mesh, mu=mu, end=end, damping=damping).history
         name = f"friction {mu}{', damped' if damping else ''}"
-        bench.near(f"{name}: force of the held end over the pull", -h.steady(0.005, 0.011, "fy:held") / 20, exact, relative=0.01)
+        bench.near(f"{name}: force of the held end over the pull", -h.steady(0.005, 0.011, "fy:held") / 20, exact,
+                   relative=0.01)
         if damping:
-            bench.near(f"{name}: the same from 20 to 50 ms", -h.steady(0.02, 0.05, "fy:held") / 20, exact, relative=0.01)
+            bench.near(f"{name}: the same from 20 to 50 ms", -h.steady(0.02, 0.05, "fy:held") / 20, exact,
+                       relative=0.01)
         rows.append((name, h["time"], -h["fy:held"] / 20, exact))
 
     def draw(axes):
@@ -202,7 +211,8 @@ def list_spots(middles, outer_cells):
     spots = []
     for i, r in enumerate(middles):
         turn = find_turn(48 if i < 8 else outer_cells)
-        spots.append(f"{{name: e{i}, part: {'inner' if i < 8 else 'outer'}, near: [{r * np.cos(turn)!r}, {r * np.sin(turn)!r}, 0.001]}}")
+        spots.append(f"{{name: e{i}, part: "
+                     f"{'inner' if i < 8 else 'outer'}, near: [{r * np.cos(turn)!r}, {r * np.sin(turn)!r}, 0.001]}}")
     return ", ".join(spots)
 
 
@@ -242,19 +252,26 @@ def shrink_fit(bench):
     for name, cells in (("matching nodes", 48), ("other nodes", 36)):
         sagitta = [bore * (1 - np.cos(np.pi / 4 / n)) for n in (48, cells)]
         overlap = 4e-5 + 2 / 3 * (sagitta[1] - sagitta[0])
-        pressure = overlap * modulus / bore / ((outer**2 + bore**2) / (outer**2 - bore**2) + (bore**2 + inner**2) / (bore**2 - inner**2))
-        h = bench.run(FIT, outer=bore + 4e-5, inner_cells=48, outer_cells=cells, elements=list_spots(middles, cells), enforcement="").history
-        table = np.array([[r, *average_stress(h, i, 48 if i < 8 else cells), *find_lame(pressure, inner, bore, outer, r, i < 8)] for i, r in enumerate(middles)])
+        pressure = overlap * modulus / bore / ((outer**2 + bore**2) / (outer**2 - bore**2)
+                                               + (bore**2 + inner**2) / (bore**2 - inner**2))
+        h = bench.run(FIT, outer=bore + 4e-5, inner_cells=48, outer_cells=cells, elements=list_spots(middles, cells),
+                      enforcement="").history
+        table = np.array([[r, *average_stress(h, i, 48 if i < 8 else cells),
+                           *find_lame(pressure, inner, bore, outer, r, i < 8)] for i, r in enumerate(middles)])
         largest = abs(table[:, 3:]).max()
         if cells == 48:
-            bench.near(f"{name}: hoop stress at the hole", 1e-6 * table[0, 2], 1e-6 * table[0, 4], relative=0.01, unit="MPa")
-            bench.near(f"{name}: hoop stress of the outer ring at the joint", 1e-6 * table[8, 2], 1e-6 * table[8, 4], relative=0.01, unit="MPa")
+            bench.near(f"{name}: hoop stress at the hole", 1e-6 * table[0, 2], 1e-6 * table[0, 4], relative=0.01,
+                       unit="MPa")
+            bench.near(f"{name}: hoop stress of the outer ring at the joint", 1e-6 * table[8, 2], 1e-6 * table[8, 4],
+                       relative=0.01, unit="MPa")
             for kind, column in (("radial", 1), ("hoop", 2)):
-                bench.below(f"{name}: largest error of {kind} stress over the largest", abs(table[:, column] - table[:, column + 2]).max() / largest, 0.01)
+                bench.below(f"{name}: largest error of {kind} stress over the largest",
+                            abs(table[:, column] - table[:, column + 2]).max() / largest, 0.01)
         else:
             share = table[0, 2] / table[0, 4]
             bench.above(f"{name}: hoop stress at the hole over that of the mean overlap", share, 0.99)
-            bench.below(f"{name}: hoop stress at the hole over that of the mean overlap", share, 1.01 * (4e-5 + sagitta[1]) / overlap)
+            bench.below(f"{name}: hoop stress at the hole over that of the mean overlap", share,
+                        1.01 * (4e-5 + sagitta[1]) / overlap)
         bench.below(f"{name}: energy balance, largest error", h.largest("energy_error"), 1e-3)
         curves.append((name, table))
 

@@ -84,7 +84,8 @@ def patch(bench):
     v = points @ g.T
     young, nu, t = 200e9, 0.3, 4e-3
     strain = find_log(np.eye(3) + t * g)
-    exact = young / (1 + nu) * (strain + nu / (1 - 2 * nu) * np.trace(strain) * np.eye(3)) / np.linalg.det(np.eye(3) + t * g)
+    exact = young / (1 + nu) * (strain + nu / (1 - 2 * nu) * np.trace(strain) * np.eye(3)) / np.linalg.det(
+        np.eye(3) + t * g)
     exact = exact[[0, 1, 2, 0, 1, 2], [0, 1, 2, 1, 2, 0]]
     initial = meshes.each_node(points, lambda n: "velocity: " + str([float(c) for c in v[n]]))
     surface = np.flatnonzero(~inside)
@@ -94,7 +95,8 @@ def patch(bench):
         run = bench.run(PATCH, file=path, elements=text, initial=initial, conditions=held)
         frames = run.frames
         stress = frames.element("stress")
-        bench.below(f"{name}: spread of the stress over its size", np.ptp(stress, axis=0).max() / np.abs(exact).max(), 1e-11)
+        bench.below(f"{name}: spread of the stress over its size",
+                    np.ptp(stress, axis=0).max() / np.abs(exact).max(), 1e-11)
         bench.below(f"{name}: stress, largest error over Young's modulus", np.abs(stress - exact).max() / young, 1e-8)
         places = frames.points(0) @ (np.eye(3) + t * g)
         bench.below(f"{name}: places of the nodes, largest error", np.abs(frames.points() - places).max(), 1e-12, "m")

@@ -36,21 +36,24 @@ def spall(bench):
     1.3 % faster than a weak one, and the waves meet up to an element beside the middle."""
     rows, far = [], None
     for cells in (50, 100) if bench.quick else (50, 100, 200):
-        run = bench.run(SPALL, cells=cells, twice=2 * cells, edge=0.05 / cells, strength=0.25 * DENSITY * SPEED * IMPACT,
-                        velocity=IMPACT)
+        run = bench.run(SPALL, cells=cells, twice=2 * cells, edge=0.05 / cells,
+                        strength=0.25 * DENSITY * SPEED * IMPACT, velocity=IMPACT)
         h, frames = run.history, run.frames
         centers = frames.points(0)[frames.corners].mean(axis=1)[:, 0]
         dead = centers[frames.element("alive") < 0.5]
         time = h.time_of_rise("eroded_elements", 0.5)
         bench.above(f"{cells} elements: elements that fail", len(dead), 0)
-        bench.near(f"{cells} elements: middle of the elements that fail", 1e3 * dead.mean(), 100.0, absolute=51 * 0.5 / cells, unit="mm")
+        bench.near(f"{cells} elements: middle of the elements that fail", 1e3 * dead.mean(), 100.0,
+                   absolute=51 * 0.5 / cells, unit="mm")
         bench.near(f"{cells} elements: time", 1e6 * time, 1e6 * 0.15 / SPEED, relative=0.02, unit="us")
-        bench.below(f"{cells} elements: linear momentum, relative change", run.summary["momentum"]["linear_error"], 1e-12)
+        bench.below(f"{cells} elements: linear momentum, relative change",
+                    run.summary["momentum"]["linear_error"], 1e-12)
         bench.below(f"{cells} elements: energy balance, largest error", h.largest("energy_error"), 0.01)
         rows.append([cells, len(dead), f"{1e3 * (dead.max() - dead.min()) + 50 / cells:.2f}"])
         far = h
     bench.near("speed of the far end before", far.mean(2.7e-5, 2.9e-5, "far_vx"), IMPACT, relative=0.02, unit="m/s")
-    bench.below("thickness of the layer that fails, finest over coarsest mesh", float(rows[-1][2]) / float(rows[0][2]), 0.6)
+    bench.below("thickness of the layer that fails, finest over coarsest mesh",
+                float(rows[-1][2]) / float(rows[0][2]), 0.6)
     bench.table(["elements of the flyer", "failed", "thickness of their layer [mm]"], rows)
 
     def draw(axes):
@@ -79,7 +82,8 @@ def rod_through_plates(bench):
     four = bench.run(text, ranks=4)
     bench.equal("steps on 4 ranks", four.summary["steps"], run.summary["steps"])
     bench.equal("state_hash on 4 ranks and on 1", four.summary["state_hash"], run.summary["state_hash"])
-    bench.equal("history.csv on 4 ranks, every byte", "same" if run.history_bytes == four.history_bytes else "other", "same")
+    bench.equal("history.csv on 4 ranks, every byte",
+                "same" if run.history_bytes == four.history_bytes else "other", "same")
 
 
 NECK = """
@@ -115,12 +119,14 @@ def neck_size(bench):
     whole = float(strains[np.flatnonzero(force >= 0.85 * force.max())[0]])
     limits = {size: share * np.log(np.exp(whole) + opening / size) for size in (1.0, 2.0, 4.0)}
     exact = length * (np.exp(whole) - 1) + opening
-    table = ", size: [" + ", ".join(f"[{size}, {limit / limits[4.0]!r}]" for size, limit in ((s, float(x)) for s, x in limits.items())) + "]"
+    table = ", size: [" + ", ".join(f"[{size}, {limit / limits[4.0]!r}]"
+                                    for size, limit in ((s, float(x)) for s, x in limits.items())) + "]"
     rows, found = [], []
     for size in limits:
         ends = []
         for sizes in (table, ""):
-            law = f"model: power_law_plasticity, density: 7.85e-9, youngs_modulus: 200e3, poissons_ratio: 0.3, hardening_exponent: 0.3, failure: {{plastic_strain: {float(limits[4.0])!r}{sizes}}}"
+            law = ("model: power_law_plasticity, density: 7.85e-9, youngs_modulus: 200e3, poissons_ratio: 0.3, "
+                   f"hardening_exponent: 0.3, failure: {{plastic_strain: {float(limits[4.0])!r}{sizes}}}")
             h = bench.run(NECK, size=size, rest=length - size, cells=int(round(length / size)) - 1, law=law).history
             gone = np.flatnonzero(h["eroded_elements"] > 0)
             ends.append(float(h["end_x"][gone[0]]) - length if len(gone) else float("nan"))

@@ -8,7 +8,8 @@ from bench import case, thin
 G, MASS = 9.81, 16.0
 # 16 kg, soft so that steps are long: weight strains it by 1e-4. The answers are those of a rigid block; one that bends without damping
 # flutters while it slides (docs/limits.md), so its bending is damped.
-SOFT = "elements: {hourglass: {kind: viscous}}\nmaterials: {soft: {model: elastic, density: 1000, youngs_modulus: 1e7, poissons_ratio: 0.3}}\n"
+SOFT = ("elements: {hourglass: {kind: viscous}}\nmaterials: {soft: {model: elastic, density: 1000, "
+        "youngs_modulus: 1e7, poissons_ratio: 0.3}}\n")
 BLOCK = "block: {box: {size: [0.4, 0.4, 0.1], cells: [4, 4, 2]}, material: soft}"
 
 
@@ -30,10 +31,11 @@ output: {history: {every: 1e-3, nodes: [{name: n, near: [0.2, 0.2, 0.05]}]}}
     h, energy = run.history, run.summary["energy"]
     bench.near("wall: distance", h.last("n_x") - 0.2, 4.2474, relative=1e-3, unit="m")
     straight = h["momentum_x"] > 0.05 * MASS * 5
-    bench.near("wall: time, from the straight line of the momentum", h["time"][straight][-1] / 0.95, 1.6989, relative=1e-3, unit="s")
+    bench.near("wall: time, from the straight line of the momentum", h["time"][straight][-1] / 0.95, 1.6989,
+               relative=1e-3, unit="s")
     bench.near("wall: work of friction", energy["friction"], -0.5 * MASS * 25, relative=1e-3, unit="J")
-    bench.near("wall: with the ringing that contact and viscosity took", energy["friction"] + energy["contact"] - energy["viscous"],
-               -0.5 * MASS * 25, relative=1e-3, unit="J")
+    bench.near("wall: with the ringing that contact and viscosity took",
+               energy["friction"] + energy["contact"] - energy["viscous"], -0.5 * MASS * 25, relative=1e-3, unit="J")
     bench.below("wall: energy balance, largest error", h.largest("energy_error"), 1e-3)
     on_wall = h
     for name, text in choices.list_enforcements(bench).items():
@@ -83,16 +85,21 @@ output: {history: {every: 1e-3, nodes: [{name: n, near: [0.2, 0.2, 0.05]}]}}
     gravity = {"gx": G * np.sin(angle), "gz": -G * np.cos(angle)}
     h = bench.run(template, end=1.0, mu=0.3, **gravity).history
     bench.near("slides: acceleration from the distance", 2 * (h.last("n_x") - 0.2), 2.3563, relative=1e-3, unit="m/s^2")
-    bench.near("slides: acceleration from the momentum", h.last("momentum_x") / MASS, 2.3563, relative=1e-3, unit="m/s^2")
+    bench.near("slides: acceleration from the momentum", h.last("momentum_x") / MASS, 2.3563, relative=1e-3,
+               unit="m/s^2")
     default = template.replace("elements: {hourglass: {kind: viscous}}\n", "")
     damped = default + "elements: {stiffness_damping: 1e-4}\n"
-    for name, deck in (("sticks", template), ("stiffness damping, sticks", damped), ("at rest at first, sticks", default + "start: {relaxation: {tolerance: 1e-9}}\n")):
+    for name, deck in (("sticks", template), ("stiffness damping, sticks", damped),
+                       ("at rest at first, sticks", default + "start: {relaxation: {tolerance: 1e-9}}\n")):
         h = bench.run(deck, end=2.0, mu=0.7, **gravity).history
         bench.near(f"{name}: place after the ringing", h.mean(0.9, 1.0, "n_x"), 0.2, absolute=1e-3, unit="m")
-        bench.near(f"{name}: creep in a second", h.mean(1.9, 2.0, "n_x") - h.mean(0.9, 1.0, "n_x"), 0, absolute=1e-6, unit="m")
-        bench.near(f"{name}: work of friction from 1 to 2 s", h.last("friction") - h.at(1.0, "friction"), 0, absolute=1e-15, unit="J")
+        bench.near(f"{name}: creep in a second", h.mean(1.9, 2.0, "n_x") - h.mean(0.9, 1.0, "n_x"), 0,
+                   absolute=1e-6, unit="m")
+        bench.near(f"{name}: work of friction from 1 to 2 s", h.last("friction") - h.at(1.0, "friction"), 0,
+                   absolute=1e-15, unit="J")
     h = bench.run(default, end=2.0, mu=0.7, **gravity).history
-    bench.near("default elements, undamped: creep in 2 s", h.last("n_x") - h.first("n_x"), 0, absolute=0.02 * 2 * gravity["gx"], unit="m")
+    bench.near("default elements, undamped: creep in 2 s", h.last("n_x") - h.first("n_x"), 0,
+               absolute=0.02 * 2 * gravity["gx"], unit="m")
 
 
 @case("oblique_impact", "friction", "Friction: oblique impact with full sliding", quick=True)
@@ -112,6 +119,8 @@ output: {history: {every: 0}}
     start = -h.first("momentum_z")
     restitution = h.last("momentum_z") / start
     change = (h.first("momentum_x") - h.last("momentum_x")) / start
-    bench.near("change of the tangential speed over mu (1 + e) v_n", change / (0.1 * (1 + restitution)), 1.0, relative=1e-9)
+    bench.near("change of the tangential speed over mu (1 + e) v_n", change / (0.1 * (1 + restitution)), 1.0,
+               relative=1e-9)
     bench.above("it came back: restitution", restitution, 0.8)
-    bench.below("angular momentum, change that the wall does not explain", run.summary["momentum"]["angular_error"], 1e-12)
+    bench.below("angular momentum, change that the wall does not explain",
+                run.summary["momentum"]["angular_error"], 1e-12)

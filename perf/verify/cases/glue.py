@@ -43,13 +43,16 @@ def split_beam(bench):
         def bend(start):
             return 0.4 * (start + 2.5e-4 - 5e-4)
 
-        bench.near(f"{name}: force at 1.1 mm over that of beams", mean(3e-3, force), bend(3e-3) * 2 * stiff / (3 * crack**3 + length**3), relative=0.05, unit="N")
+        bench.near(f"{name}: force at 1.1 mm over that of beams", mean(3e-3, force),
+                   bend(3e-3) * 2 * stiff / (3 * crack**3 + length**3), relative=0.05, unit="N")
         for start in (7e-3, 7.5e-3):
             pushed = mean(start, force)
             reached = np.cbrt((bend(start) * 2 * stiff / pushed - length**3) / 3)
-            bench.near(f"{name}, {1e3 * start + 0.25:g} ms: energy of the crack at {1e3 * reached:.0f} mm", 9 * pushed**2 * reached**2 / (4 * stiff * width), 700.0, relative=0.05, unit="J/m2")
+            bench.near(f"{name}, {1e3 * start + 0.25:g} ms: energy of the crack at {1e3 * reached:.0f} mm",
+                       9 * pushed**2 * reached**2 / (4 * stiff * width), 700.0, relative=0.05, unit="J/m2")
         first, last = (np.searchsorted(h["time"], t) for t in (7e-3, 8.9e-3))
-        spent = (h["glue_dissipated"][last] - h["glue_dissipated"][first]) / (h["glue_failed"][last] - h["glue_failed"][first])
+        spent = (h["glue_dissipated"][last] - h["glue_dissipated"][first]) / (h["glue_failed"][last]
+                                                                              - h["glue_failed"][first])
         bench.near(f"{name}: energy dissipated by the area that fails", float(spent), 700.0, relative=0.03, unit="J/m2")
 
 
@@ -111,7 +114,8 @@ def mixed_bending(bench):
         h = bench.run(BENDING, end=end, cells=102, there=51 + lever, glued=crack, speed=speed).history
         force = np.convolve(-h["fz:f"], np.full(40, 1 / 40), "valid")  # a mean of 0.4 ms, half a period of the beam
         name = f"{100 * share:.0f} % of sliding"
-        bench.near(f"{name}: largest force by 25.4 mm", 25.4 * float(force.max()), 25.4 * exact, relative=0.05, unit="N")
+        bench.near(f"{name}: largest force by 25.4 mm", 25.4 * float(force.max()), 25.4 * exact,
+                   relative=0.05, unit="N")
         rows.append([name, f"{25.4 * force.max():.1f}", f"{25.4 * exact:.1f}", f"{energy:.3f}"])
     bench.table(["mix", "largest force [N]", "beam theory [N]", "energy of the mix [N/mm]"], rows)
 
@@ -143,18 +147,21 @@ def glued_shells(bench):
     width, energy = 2e-3, 100.0
     stiff = 70e9 * width * 1e-9 / 12
     two = "shell_plate: {size: [0.04, 0.002], cells: [$cells, 1]}, thickness: 0.001, at: [0, 0, -0.0005]"
-    block = "box: {size: [0.04, 0.002, 0.004], cells: [$cells, 1, 2]}, at: [0, 0, -0.004], rigid: {fixed: [x, y, z, rx, ry, rz]}"
+    block = ("box: {size: [0.04, 0.002, 0.004], cells: [$cells, 1, 2]}, at: [0, 0, -0.004], rigid: {fixed: [x, y, z, "
+             "rx, ry, rz]}")
     pulled = "  - {nodes: low/x_min, velocity: {z: {table: [[0, 0], [1e-3, -0.25], [8e-3, -0.25]]}}}"
     for name, cells, low, sides, shear, held in (
             ("double cantilever, 1 mm", 40, two, ("high/bottom", "low/top"), (20e6, 350), pulled),
             ("double cantilever, 0.5 mm, sides exchanged", 80, two, ("low/top", "high/bottom"), (20e6, 350), pulled),
             ("peeled from a block", 40, block, ("high/bottom", "low/z_max"), (8e6, 100), ""),
             ("peeled from a block, sides exchanged", 40, block, ("low/z_max", "high/bottom"), (8e6, 100), "")):
-        h = bench.run(SHELLS, cells=cells, low=low.replace("$cells", str(cells)), a=sides[0], b=sides[1], shear_strength=shear[0],
-                      shear_energy=shear[1], held=held).history
+        h = bench.run(SHELLS, cells=cells, low=low.replace("$cells", str(cells)), a=sides[0], b=sides[1],
+                      shear_strength=shear[0], shear_energy=shear[1], held=held).history
         opening = 0.5 if low is two else 0.25
-        of_energy = 2 / (3 * stiff) * (energy * width * stiff)**1.5 if low is two else (2 * energy * width * stiff)**1.5 / (3 * stiff)
+        of_energy = (2 / (3 * stiff) * (energy * width * stiff)**1.5 if low is two
+                     else (2 * energy * width * stiff)**1.5 / (3 * stiff))
         for start in (4e-3, 6e-3):
             force = h.mean(start, start + 2e-3, "fz:pull")
             reached = (force**2 * opening * (start + 1e-3 - 5e-4) / of_energy)**(2 / 3)
-            bench.near(f"{name}, {1e3 * start + 1:g} ms: energy of the crack", energy * reached, energy, relative=0.06, unit="J/m2")
+            bench.near(f"{name}, {1e3 * start + 1:g} ms: energy of the crack", energy * reached, energy, relative=0.06,
+                       unit="J/m2")

@@ -84,7 +84,8 @@ def push_end(points, corners, pulse):
     lines = []
     for n in np.flatnonzero(share):
         place = ", ".join(repr(float(x)) for x in points[n])
-        lines.append(f'  {{nodes: {{inside: [[{place}], [{place}]]}}, force: {{z: {{expression: "{share[n]!r} * {pulse}"}}}}}}')
+        lines.append(f'  {{nodes: {{inside: [[{place}], [{place}]]}}, '
+                     f'force: {{z: {{expression: "{share[n]!r} * {pulse}"}}}}}}')
     return ",\n".join(lines)
 
 
@@ -110,7 +111,8 @@ def hopkinson_bar(bench):
         path = meshes.write_exodus(bench.file(f"bar_{across}.exo"), points, corners)
         h = bench.run(BAR, end=95.0, mesh=path, near=12.0, far=20.0,
                       push=push_end(points, corners, "1e-4 * (t - 9) * exp(-(t - 9)^2 / 5.78)")).history
-        speed = find_phase_speed([find_velocity_spectrum(h, name, frequencies) for name in ("near_z", "far_z")], 8.0, frequencies)
+        speed = find_phase_speed([find_velocity_spectrum(h, name, frequencies) for name in ("near_z", "far_z")], 8.0,
+                                 frequencies)
         curves.append((f"{across} elements across", speed))
         errors.append(np.interp(listed, frequencies, speed / exact - 1))
     for w, error in zip(listed, errors[-1]):
@@ -169,20 +171,25 @@ def rayleigh_wave(bench):
         cell = near / (7 * a_wave)
         h = bench.run(HALF_SPACE, end=14.5, cell=cell, along=along, down=down, length=along * cell, depth=down * cell,
                       bottom=-down * cell, near=near, far=far).history
-        spectra = {name: find_velocity_spectrum(h, name, frequencies, 1.5 + (7 if "near" in name else 11), 1.5) for name in ("near_y", "far_y", "far_x")}
+        spectra = {name: find_velocity_spectrum(h, name, frequencies, 1.5 + (7 if "near" in name else 11), 1.5)
+                   for name in ("near_y", "far_y", "far_x")}
         phase = find_phase_speed([spectra["near_y"], spectra["far_y"]], far - near, frequencies, speed)
         rows.append((a_wave, float(phase[50]), float(abs(spectra["far_x"][50] / spectra["far_y"][50]))))
     bench.near("speed over the shear speed", rows[-1][1], speed, relative=0.005)
     bench.near("axes of the ellipse", rows[-1][2], ratio, relative=0.01)
-    bench.below("error of the speed on the fine mesh over that on the coarse one", abs((rows[1][1] - speed) / (rows[0][1] - speed)), 0.7)
+    bench.below("error of the speed on the fine mesh over that on the coarse one",
+                abs((rows[1][1] - speed) / (rows[0][1] - speed)), 0.7)
     bench.table(["elements to a wave length", "speed", "error", "axes", "error"],
-                [[n, f"{c:.5f}", f"{100 * (c / speed - 1):+.3f} %", f"{a:.4f}", f"{100 * (a / ratio - 1):+.2f} %"] for n, c, a in rows])
+                [[n, f"{c:.5f}", f"{100 * (c / speed - 1):+.3f} %", f"{a:.4f}", f"{100 * (a / ratio - 1):+.2f} %"]
+                 for n, c, a in rows])
 
     def draw(axes):
         for name, place in (("near", near), ("far", far)):
             shift = place / speed
-            axes.plot(*thin(h["time"] - shift, 1e5 * h[f"{name}_y"], 300), label=f"{place / speed:.0f} wave lengths away")
-        axes.set(xlabel="time since Rayleigh's wave started from the load", ylabel="normal displacement [1e-5]", xlim=(-4, 4))
+            axes.plot(*thin(h["time"] - shift, 1e5 * h[f"{name}_y"], 300),
+                      label=f"{place / speed:.0f} wave lengths away")
+        axes.set(xlabel="time since Rayleigh's wave started from the load", ylabel="normal displacement [1e-5]",
+                 xlim=(-4, 4))
         axes.legend()
 
     bench.figure("The wave passes two points of the surface.", draw)

@@ -29,7 +29,8 @@ def survive(bench, template, code=0, words=(), energy=0.01, which="", **values):
         if energy:
             bench.below(prefix + "energy balance, largest error", one.history.largest("energy_error"), energy)
     elif one.code:
-        bench.equal(prefix + "message on 4 ranks", "same" if last_line(one) == last_line(four) else last_line(four), "same")
+        bench.equal(prefix + "message on 4 ranks",
+                    "same" if last_line(one) == last_line(four) else last_line(four), "same")
         for word in words:
             bench.equal(prefix + f"message names '{word}'", word in one.errors, True)
         bench.note(f"{prefix}`{last_line(one)}`")
@@ -95,7 +96,8 @@ output: {history: {every: 1e-6, nodes: [{name: low, near: [0.05, 0.05, -0.0208],
 """, energy=1e-3)
     if run.code == 0:
         h = run.history
-        bench.above("speed of parting at the end", h.mean(3e-4, 4e-4, "high_vz") - h.mean(3e-4, 4e-4, "low_vz"), 0.0, "m/s")
+        bench.above("speed of parting at the end", h.mean(3e-4, 4e-4, "high_vz") - h.mean(3e-4, 4e-4, "low_vz"),
+                    0.0, "m/s")
         bench.above("distance of the middles at the end", h.last("high_z") - h.last("low_z"), 0.14, "m")
 
 
@@ -138,10 +140,13 @@ def overlap(bench):
     of the overlap a step, the bodies at twice that. At most half of the overlap is left at the end."""
     for share in 0.02, 0.2, 0.6:
         z = 0.1 - share * 0.02
-        run = survive(bench, OVERLAP, z=z, end=2e-4, treatment="accept", which=f"{100 * share:.0f} %, accepted", energy=None)
+        run = survive(bench, OVERLAP, z=z, end=2e-4, treatment="accept", which=f"{100 * share:.0f} %, accepted",
+                      energy=None)
         if run.code == 0:
-            bench.below(f"{100 * share:.0f} %, accepted: kinetic energy that comes of it", run.history.largest("kinetic"), 1e-12, "J")
-    run = survive(bench, OVERLAP, z=0.1 - 0.02 * 0.02, end=12e-4, treatment="push_out", which="2 %, pushed out", energy=None)
+            bench.below(f"{100 * share:.0f} %, accepted: kinetic energy that comes of it",
+                        run.history.largest("kinetic"), 1e-12, "J")
+    run = survive(bench, OVERLAP, z=0.1 - 0.02 * 0.02, end=12e-4, treatment="push_out", which="2 %, pushed out",
+                  energy=None)
     if run.code == 0:
         # a face that moves at u pushes a free body up to 2 u by its waves
         mass, u = 7850 * np.array([0.1**3, 0.06**3]), 4e-7 / run.summary["dt"]["min"]
@@ -178,8 +183,8 @@ def node_on_edge(bench):
         ("outer corner", 0.06, 0.06, (0.06, 0.06), (0.06, 0.06)), ("outer edge", 0.06, 0.015, (0.06, 0), (0.06, 0.03))
     for name, x, y, a, b in places:
         run = survive(bench, NODE_ON_EDGE, which=name, x=float(x), y=float(y), tilt=54.735610317245346, energy=1e-3,
-                      nodes=f"{{name: tip, near: [{x}, {y}, 0.0001], part: block}}, {{name: a, near: [{a[0]}, {a[1]}, 0], part: plate}}, "
-                            f"{{name: b, near: [{b[0]}, {b[1]}, 0], part: plate}}")
+                      nodes=f"{{name: tip, near: [{x}, {y}, 0.0001], part: block}}, {{name: a, near: [{a[0]}, {a[1]}, "
+                            f"0], part: plate}}, {{name: b, near: [{b[0]}, {b[1]}, 0], part: plate}}")
         if run.code == 0:
             bench.above(f"{name}: interactions", run.history.largest("contacts"), 0)
             bench.below(f"{name}: linear momentum, relative change", run.summary["momentum"]["linear_error"], 1e-12)
@@ -190,7 +195,8 @@ def node_on_edge(bench):
 
 def find_clearance(h):
     """Of the tip over the plate, whose top is the mean of two nodes there and whose rim they start from."""
-    out = [np.maximum(h[f"tip_{axis}"] - np.maximum(h[f"a_{axis}"], h[f"b_{axis}"]), 0) if h[f"a_{axis}"][0] > 0.059 else 0 for axis in "xy"]
+    out = [np.maximum(h[f"tip_{axis}"] - np.maximum(h[f"a_{axis}"], h[f"b_{axis}"]), 0) if h[f"a_{axis}"][0] > 0.059
+           else 0 for axis in "xy"]
     return h["tip_z"] - (h["a_z"] + h["b_z"]) / 2 + np.sqrt(0.5) * np.hypot(*out)
 
 
@@ -213,12 +219,14 @@ output: {history: {every: 1e-6}}
         run = survive(bench, template, which=which, end=1e-3, other="", spin=spin, energy=energy)
         if run.code == 0:
             h = run.history
-            bench.near(f"{which}: contact energy over kinetic", h.largest("contact") / h.first("kinetic"), 0, absolute=0.0)
+            bench.near(f"{which}: contact energy over kinetic", h.largest("contact") / h.first("kinetic"), 0,
+                       absolute=0.0)
             bench.near(f"{which}: interactions", h.largest("contacts"), 0, absolute=0.0)
             bench.above(f"{which}: pairs that the search has found", h.largest("candidates"), 0)
             bench.below(f"{which}: angular momentum, relative change", run.summary["momentum"]["angular_error"], 1e-12)
     run = survive(bench, template, which="hit", end=3e-4, energy=1e-3, spin="0, 0, 0",
-            other="  hammer: {box: {size: [0.05, 0.1, 0.1], cells: [2, 4, 4]}, at: [0.0501, -0.05, -0.05], material: elastic}")
+                  other="  hammer: {box: {size: [0.05, 0.1, 0.1], cells: [2, 4, 4]}, at: [0.0501, -0.05, -0.05], "
+                        "material: elastic}")
     if run.code == 0:
         bench.above("hit: interactions", run.history.largest("contacts"), 0)
 

@@ -11,7 +11,8 @@ PLATES = {
     "90": [(1.0, 90)],
     "0, 90": [(0.25, 0), (0.5, 90), (0.25, 0)],
     "45, -45": [(0.25, 45), (0.5, -45), (0.25, 45)],
-    "45, 0, -45, 90": [(t / 2, a) for t, a in ((0.25, 45), (0.25, 0), (0.25, -45), (0.25, 90), (0.25, 90), (0.25, -45), (0.25, 0), (0.25, 45))],
+    "45, 0, -45, 90": [(t / 2, a) for t, a in ((0.25, 45), (0.25, 0), (0.25, -45), (0.25, 90), (0.25, 90), (0.25, -45),
+                                               (0.25, 0), (0.25, 45))],
 }
 STEEP = {"0": 0.12, "0, 90": 0.07}  # tolerances with 16 elements around
 GROWTH = 25.0  # of the elements from the hole to the edge of the plate
@@ -74,7 +75,8 @@ def list_edge_forces(points, around, stress):
         for share in (0.5 - 0.5 / np.sqrt(3), 0.5 + 0.5 / np.sqrt(3)):
             x, y = (a + share * (b - a))[:2]
             xx, yy, xy = stress(np.array([x]), np.array([y]))[:, 0]
-            traction = 0.5 * length * THICKNESS * np.array([xx * normal[0] + xy * normal[1], xy * normal[0] + yy * normal[1]])
+            traction = 0.5 * length * THICKNESS * np.array([xx * normal[0] + xy * normal[1],
+                                                            xy * normal[0] + yy * normal[1]])
             forces[k] += (1 - share) * traction
             forces[k + 1] += share * traction
     return meshes.each_node(edge, lambda n: f"force: {{x: {float(forces[n][0])!r}, y: {float(forces[n][1])!r}}}")
@@ -111,13 +113,17 @@ output: {fields: {every: 1, write: [stress]}}
             frames = run.frames
             middle = points[corners].mean(axis=1)
             stress = frames.element("stress", 0)[np.argsort(frames.fields.element_ids), 0]
-            column = np.arange(around) * around + around - 1  # the elements next to the plane x = 0, from the hole outward
+            # the elements next to the plane x = 0, from the hole outward
+            column = np.arange(around) * around + around - 1
             radius = np.hypot(*middle[column, :2].T)
             edge = np.polyval(np.polyfit(radius[:3], stress[column][:3], 2), 1.0)
             exact = hole.stress(*middle[:, :2].T)[0]
-            bench.near(f"{name}, {around} around: stress at the hole", float(edge), float(hole.concentration()), relative=within)
-            rows.append([name, around, f"{np.sqrt(np.mean((stress - exact) ** 2)):.2g}", f"{np.max(np.abs(stress - exact)):.2g}"])
-    bench.table(["plies", "elements around", "error of xx: root of mean square", "largest"], rows, "All elements against the exact stress in their middle:")
+            bench.near(f"{name}, {around} around: stress at the hole", float(edge), float(hole.concentration()),
+                       relative=within)
+            rows.append([name, around, f"{np.sqrt(np.mean((stress - exact) ** 2)):.2g}",
+                         f"{np.max(np.abs(stress - exact)):.2g}"])
+    bench.table(["plies", "elements around", "error of xx: root of mean square", "largest"], rows,
+                "All elements against the exact stress in their middle:")
 
 
 @case("hole_size", "shells", "The strength of a laminate over the size of its hole")
@@ -130,7 +136,8 @@ def hole_size(bench):
     wide = 5.0
     rows, found = [], []
     for radius in (None, 2.0, 4.0, 8.0):
-        points, corners = make_quarter(16, 12, wide) if radius else meshes.make_surface([6, 6], lambda u, v: (wide * u, wide * v, 0 * u))
+        points, corners = (make_quarter(16, 12, wide) if radius
+                           else meshes.make_surface([6, 6], lambda u, v: (wide * u, wide * v, 0 * u)))
         mesh = meshes.write_exodus(bench.file(f"plate_{radius}.exo"), (radius or 1.0) * points, corners)
         edge = wide * (radius or 1.0)
         h = bench.run("""
@@ -151,7 +158,8 @@ output: {history: {every: $every, forces: [{name: pull, support: {name: plate, i
             continue
         share = found[-1] / found[0]
         rows.append([f"{radius:g}", f"{found[-1]:.0f}", f"{share:.3f}"])
-        bench.above(f"radius {radius:g} mm: strength over that of a whole plate", share, 1 / Hole(plies).concentration())
+        bench.above(f"radius {radius:g} mm: strength over that of a whole plate", share,
+                    1 / Hole(plies).concentration())
         bench.below(f"radius {radius:g} mm: likewise", share, 1 - 1 / wide)
         if len(found) > 2:
             bench.below(f"radius {radius:g} mm: over that of the hole before", found[-1] / found[-2], 0.97)

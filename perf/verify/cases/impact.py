@@ -48,10 +48,12 @@ output: {history: {elements: [{name: middle, near: [5, 0.5, 0.5]}]}}
     bench.below("energy balance, largest error", h.largest("energy_error"), 1e-3)
     order = observed_order(sizes, rebound)
     bench.above("observed order of the lost speed in h", order, 0.6)
-    bench.table(["elements", "lost share of the speed"], [[f"{10 / s:.0f}", f"{r:.2e}"] for s, r in zip(sizes, rebound)])
+    bench.table(["elements", "lost share of the speed"],
+                [[f"{10 / s:.0f}", f"{r:.2e}"] for s, r in zip(sizes, rebound)])
 
     def draw(axes):
-        axes.plot([0, 49.456, 49.456, 148.114, 148.114, 200], [0, 0, 29.923, 29.923, 0, 0], label="exact", **plots.EXACT)
+        axes.plot([0, 49.456, 49.456, 148.114, 148.114, 200], [0, 0, 29.923, 29.923, 0, 0], label="exact",
+                  **plots.EXACT)
         for cells, table in curves[1::2]:
             axes.plot(*thin(1e6 * table["time"], 1e-3 * table["wall_force_x"], 300), label=f"{cells} elements")
         axes.set(xlabel="time [us]", ylabel="force of the wall [1000 lbf]")
@@ -80,8 +82,9 @@ output:
 
 
 def strike(bench, enforcement, left, right, cells, speeds, end, young=YOUNG, density=DENSITY):
-    return bench.run(TWO_BARS, enforcement=enforcement, left=left, right=right, left_cells=cells[0], right_cells=cells[1],
-                     v1=speeds[0], v2=speeds[1], end=end, young=young, density=density, station=0.25 * right)
+    return bench.run(TWO_BARS, enforcement=enforcement, left=left, right=right, left_cells=cells[0],
+                     right_cells=cells[1], v1=speeds[0], v2=speeds[1], end=end, young=young, density=density,
+                     station=0.25 * right)
 
 
 @case("two_bars", "impact", "Two bars: equal, of different impedance, of different length", quick=True)
@@ -98,12 +101,18 @@ def two_bars(bench):
         run = strike(bench, text, 0.5, 0.5, (200, 200), (8, -2), 4.3 * transit)
         h, stress = run.history, DENSITY * SPEED * 5
         t0, t1 = 0.2 * transit, 1.8 * transit
-        bench.near(f"{name}, equal: speed of the interface, left", h.mean(t0, t1, "left_vx"), 3, absolute=0.05, unit="m/s")
-        bench.near(f"{name}, equal: speed of the interface, right", h.mean(t0, t1, "right_vx"), 3, absolute=0.05, unit="m/s")
-        bench.near(f"{name}, equal: stress", h.mean(0.5 * transit, 1.5 * transit, "stress_stress_xx"), -stress, relative=2e-3, unit="Pa")
-        bench.near(f"{name}, equal: end of contact", float(h["time"][h["contacts"] > 0][-1]), 2 * transit, relative=0.02, unit="s")
-        bench.near(f"{name}, equal: left speed after it", h.mean(2.2 * transit, 4.2 * transit, "left_vx"), -2, absolute=0.1, unit="m/s")
-        bench.near(f"{name}, equal: right speed after it", h.mean(2.2 * transit, 4.2 * transit, "right_vx"), 8, absolute=0.1, unit="m/s")
+        bench.near(f"{name}, equal: speed of the interface, left", h.mean(t0, t1, "left_vx"), 3, absolute=0.05,
+                   unit="m/s")
+        bench.near(f"{name}, equal: speed of the interface, right", h.mean(t0, t1, "right_vx"), 3, absolute=0.05,
+                   unit="m/s")
+        bench.near(f"{name}, equal: stress", h.mean(0.5 * transit, 1.5 * transit, "stress_stress_xx"), -stress,
+                   relative=2e-3, unit="Pa")
+        bench.near(f"{name}, equal: end of contact", float(h["time"][h["contacts"] > 0][-1]), 2 * transit,
+                   relative=0.02, unit="s")
+        bench.near(f"{name}, equal: left speed after it", h.mean(2.2 * transit, 4.2 * transit, "left_vx"), -2,
+                   absolute=0.1, unit="m/s")
+        bench.near(f"{name}, equal: right speed after it", h.mean(2.2 * transit, 4.2 * transit, "right_vx"), 8,
+                   absolute=0.1, unit="m/s")
         bench.closed(run, 1e-3, f"{name}, equal")
         equal = h
 
@@ -112,8 +121,10 @@ def two_bars(bench):
         run = strike(bench, text, 0.5, 0.5, (100, 100), (10, 0), 1.6 * transit, young, density)
         h = run.history
         speed, force = z1 * 10 / (z1 + z2), z1 * z2 * 10 / (z1 + z2)
-        bench.near(f"{name}, impedance: speed of the interface", h.mean(t0, 1.6 * transit, "left_vx"), speed, absolute=0.05, unit="m/s")
-        bench.near(f"{name}, impedance: force", -AREA * h.mean(0.6 * transit, 1.6 * transit, "stress_stress_xx"), force, relative=2e-3, unit="N")
+        bench.near(f"{name}, impedance: speed of the interface", h.mean(t0, 1.6 * transit, "left_vx"), speed,
+                   absolute=0.05, unit="m/s")
+        bench.near(f"{name}, impedance: force", -AREA * h.mean(0.6 * transit, 1.6 * transit, "stress_stress_xx"), force,
+                   relative=2e-3, unit="N")
         bench.closed(run, 1e-3, f"{name}, impedance")
 
         transit = 0.2 / SPEED
@@ -121,7 +132,8 @@ def two_bars(bench):
         h = run.history
         pulse = h.time_of_rise("stress_stress_xx", -0.5 * stress) - h.time_of_rise("stress_von_mises", 0.5 * stress)
         bench.near(f"{name}, length: duration of the pulse", pulse, 2 * transit, relative=0.01, unit="s")
-        bench.near(f"{name}, length: speed of the short bar after it", h.mean(2.3 * transit, 2.9 * transit, "left_vx"), 0, absolute=0.1, unit="m/s")
+        bench.near(f"{name}, length: speed of the short bar after it", h.mean(2.3 * transit, 2.9 * transit, "left_vx"),
+                   0, absolute=0.1, unit="m/s")
         bench.closed(run, 1e-3, f"{name}, length")
 
     def draw(axes):

@@ -39,7 +39,8 @@ class Gas:
     def behind_shock(self):
         """Mean density and pressure of the volume behind the shock."""
         there = (self.r > WALL) & (self.r < SHOCK - 0.04)
-        return tuple(float(np.average(field[there], weights=self.volume[there])) for field in (self.density, self.pressure))
+        return tuple(float(np.average(field[there], weights=self.volume[there]))
+                     for field in (self.density, self.pressure))
 
 
 def run_together(bench, kind, points, corners, planes, walls=()):
@@ -52,10 +53,12 @@ def run_together(bench, kind, points, corners, planes, walls=()):
     def each_of_core(what):
         return "\n".join(f"  - {{nodes: {{name: gas, inside: [{x}, {x}]}}, {what}}}" for x in points[on_core].tolist())
 
-    held = "\n".join(f"  - {{nodes: {{name: gas, inside: [{low}, {high}]}}, symmetry: {axis}}}" for axis, low, high in planes)
-    run = bench.run(GAS, kind=kind, mesh=mesh, axis=", axis: z" if kind == "cylinder" else "", rests=each_of_core("velocity: [0, 0, 0]"),
-                    planes=held + "\n" + each_of_core("fixed: [x, y, z]"),
-                    walls="walls: [" + ", ".join(f"{{normal: {list(normal)}}}" for normal in walls) + "]" if walls else "")
+    held = "\n".join(f"  - {{nodes: {{name: gas, inside: [{low}, {high}]}}, symmetry: {axis}}}"
+                     for axis, low, high in planes)
+    run = bench.run(GAS, kind=kind, mesh=mesh, axis=", axis: z" if kind == "cylinder" else "",
+                    rests=each_of_core("velocity: [0, 0, 0]"), planes=held + "\n" + each_of_core("fixed: [x, y, z]"),
+                    walls="walls: [" + ", ".join(f"{{normal: {list(normal)}}}" for normal in walls) + "]"
+                    if walls else "")
     bench.below("energy balance, largest error", run.history.largest("energy_error"), 0.01)
     return Gas(run.frames, kind == "cylinder")
 
@@ -63,8 +66,8 @@ def run_together(bench, kind, points, corners, planes, walls=()):
 def compare_ahead(bench, gas, power):
     """Ahead of the shock: what has run together so far."""
     ahead = (gas.r > SHOCK + 0.06) & (gas.r < 0.35)
-    bench.near("density ahead of the shock over the exact one, (1 + t / r)^n", float(np.mean(gas.density[ahead] / (1 + 0.6 / gas.r[ahead])**power)), 1.0,
-               relative=0.02)
+    bench.near("density ahead of the shock over the exact one, (1 + t / r)^n",
+               float(np.mean(gas.density[ahead] / (1 + 0.6 / gas.r[ahead])**power)), 1.0, relative=0.02)
 
 
 def draw_density(bench, kind, gas, power):
@@ -102,7 +105,8 @@ def octant(cells):
     ray /= np.linalg.norm(ray, axis=1)[:, None]
     j, i = (n.ravel() for n in np.meshgrid(np.arange(cells), np.arange(cells), indexing="ij"))
     quads = (i + (cells + 1) * j)[:, None] + np.array([0, 1, cells + 2, cells + 1])
-    return weld(np.concatenate([np.roll(ray, k, axis=1) for k in range(3)]), np.concatenate([quads + k * len(ray) for k in range(3)]))
+    return weld(np.concatenate([np.roll(ray, k, axis=1) for k in range(3)]),
+                np.concatenate([quads + k * len(ray) for k in range(3)]))
 
 
 @case("noh_cylinder", "shocks", "Noh's problem in the cylinder")
@@ -141,8 +145,10 @@ def noh_ball(bench):
         means.append(gas.behind_shock())
     limit = [2 * fine - coarse for coarse, fine in zip(*means)]
     bench.table(["mean behind the shock", "150 layers", "300 layers", "line through both", "exact"],
-                [[name, *(f"{mean[i]:.2f}" for mean in (*means, limit)), f"{exact:.2f}"] for i, (name, exact) in enumerate((("density", 64), ("pressure", 64 / 3)))])
-    bench.near(f"density behind the shock, r from {WALL} to {SHOCK - 0.04:.2f}, where it goes with the layers", limit[0], 64, relative=0.05)
+                [[name, *(f"{mean[i]:.2f}" for mean in (*means, limit)), f"{exact:.2f}"]
+                 for i, (name, exact) in enumerate((("density", 64), ("pressure", 64 / 3)))])
+    bench.near(f"density behind the shock, r from {WALL} to {SHOCK - 0.04:.2f}, where it goes with the layers",
+               limit[0], 64, relative=0.05)
     compare_ahead(bench, gas, 2)
     draw_density(bench, "ball", gas, 2)
 

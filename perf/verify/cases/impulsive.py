@@ -94,7 +94,8 @@ def impulsive_plate(bench):
         rows.append((share, speed, final, line))
         bench.near(f"f = {share:g}: deflection over thickness", final, line, absolute=1.0)
         bench.below(f"f = {share:g}: energy balance, largest error", h.largest("energy_error"), 1e-3)
-    bench.table(["f", "speed [m/s]", "deflection over thickness", "line of the tests"], [[f"{x:.4g}" for x in row] for row in rows])
+    bench.table(["f", "speed [m/s]", "deflection over thickness", "line of the tests"],
+                [[f"{x:.4g}" for x in row] for row in rows])
 
     def draw(axes):
         f = np.linspace(0, 18, 50)

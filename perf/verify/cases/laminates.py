@@ -59,7 +59,8 @@ output: {history: {every: 1e-7, nodes: [{name: a, near: [4, 0, 0]}, {name: b, ne
         bench.near(f"{name}: strain along", 1e9 * (h["a_x"][0] / LENGTH - 1), 1e9 * e[0], relative=2e-5, unit="1e-9")
         if abs(e[3]) > 1e-12:
             deflection = -(e[3] * LENGTH**2 + e[4] * WIDTH**2 + e[5] * LENGTH * WIDTH) / 2
-            bench.near(f"{name}: deflection of a corner", 1e9 * h["b_z"][0], 1e9 * deflection, relative=2e-5, unit="1e-9 mm")
+            bench.near(f"{name}: deflection of a corner", 1e9 * h["b_z"][0], 1e9 * deflection, relative=2e-5,
+                       unit="1e-9 mm")
 
 
 @case("laminate_crack", "shells", "A crack across the fibres takes its energy on any mesh")

@@ -15,7 +15,8 @@ def solve_hencky(nu):
 
     def shoot(middle):
         r = 1e-4  # B = b - r^2 / b^2 + ... begins, for the equation divides by r
-        return integrate.solve_ivp(rates, (r, 1), [middle - r * r / middle**2, -2 * r / middle**2, r * r / middle], rtol=1e-10, atol=1e-12).y[:, -1]
+        return integrate.solve_ivp(rates, (r, 1), [middle - r * r / middle**2, -2 * r / middle**2, r * r / middle],
+                                   rtol=1e-10, atol=1e-12).y[:, -1]
 
     def miss(middle):
         end = shoot(middle)
@@ -35,11 +36,13 @@ def membrane_circle(bench):
     q = pressure / (young * thickness)
     for law, nu in (("elastic", 0.3), ("fabric", 0.2)):
         middle, deflection = solve_hencky(nu)
-        text = f"model: elastic, youngs_modulus: {young}, poissons_ratio: {nu}" if law == "elastic" else \
-            f"model: fabric, warp_modulus: {young}, weft_modulus: {young}, shear_modulus: {young / (2 + 2 * nu)}, warp_poissons_ratio: {nu}, no_compression: true"
+        text = (f"model: elastic, youngs_modulus: {young}, poissons_ratio: {nu}" if law == "elastic" else
+            f"model: fabric, warp_modulus: {young}, weft_modulus: {young}, shear_modulus: {young / (2 + 2 * nu)}, "
+            f"warp_poissons_ratio: {nu}, no_compression: true")
         for n in (4, 8):
             mesh = meshes.write_exodus(bench.file(f"disc_{n}.exo"), *meshes.make_quarter_disc(n))
-            rim = meshes.each_node([p for p in meshes.make_quarter_disc(n)[0] if np.hypot(p[0], p[1]) > 1 - 1e-9], lambda _: "fixed: [x, y, z]")
+            rim = meshes.each_node([p for p in meshes.make_quarter_disc(n)[0]
+                                    if np.hypot(p[0], p[1]) > 1 - 1e-9], lambda _: "fixed: [x, y, z]")
             run = bench.run("""
 title: A round membrane bulges
 time: {end: 1e-6}
@@ -53,7 +56,8 @@ loads: {pressure: [{faces: disc/bottom, value: $pressure}]}
 start: {relaxation: {}}
 output: {history: {every: 0, nodes: [{name: n, near: [0, 0, 0]}], elements: [{name: e, near: [0, 0, 0]}]}}
 """, mesh=mesh, thickness=thickness, law=text, rim=rim, pressure=pressure)
-            found = [abs(run.history.first("n_z")) / np.cbrt(q), run.history.first("e_stress_xx") / (young / 4 * np.cbrt(q * q))]
+            found = [abs(run.history.first("n_z")) / np.cbrt(q),
+                     run.history.first("e_stress_xx") / (young / 4 * np.cbrt(q * q))]
             name = f"{law}, {n} elements along the radius"
             bench.near(f"{name}: deflection", found[0], deflection, relative=5e-3)
             bench.near(f"{name}: force in the middle, B", found[1], middle, relative=5e-3)
@@ -76,7 +80,8 @@ output: {history: {every: 0, elements: [{name: e, near: [2, 0, 0]}], nodes: [{na
 """, end=2.3 * np.pi / frequency, radius=radius, thickness=thickness, density=density, young=young, nu=nu, pressure=pressure)
     h, half = run.history, np.pi / frequency
     at_rest = pressure * radius**2 * (1 - nu) / (2 * young * thickness)
-    bench.near("displacement after half a period", 1e3 * (h.at(half, "n_x") - radius), 2e3 * at_rest, relative=0.01, unit="1e-3")
+    bench.near("displacement after half a period", 1e3 * (h.at(half, "n_x") - radius), 2e3 * at_rest, relative=0.01,
+               unit="1e-3")
     bench.near("stress after half a period", h.at(half, "e_stress_yy"), pressure * radius / thickness, relative=0.01)
     back = h["n_x"][h["time"] > half]
     bench.near("period", float(h["time"][h["time"] > half][np.argmin(back)]), 2 * half, relative=0.01)
@@ -110,7 +115,8 @@ output: {history: {every: 0, nodes: [{name: n, near: [0.5, 0, 0]}], elements: [{
         bench.near(f"pressure {pressure}: stress", h.first("e_stress_xx"), pressure * radius / thickness, relative=3e-3)
 
 
-CLOTH = "model: fabric, density: 1e-3, warp_modulus: 200, weft_modulus: 200, shear_modulus: 80, warp_poissons_ratio: 0.25, no_compression: true"
+CLOTH = ("model: fabric, density: 1e-3, warp_modulus: 200, weft_modulus: 200, shear_modulus: 80, "
+         "warp_poissons_ratio: 0.25, no_compression: true")
 SHEAR = "{{table: [[0, 0], [0.5, {0}], [0.75, {0}], [1, 0]]}}"
 
 
@@ -141,7 +147,8 @@ output: {history: {every: 0.01, elements: [{name: e, near: [0.5, 0.5, 0]}], node
     size = np.hypot(half, e12)
     principal = half + size
     direction = np.array([e12, principal]) / np.hypot(e12, principal)
-    force = np.array([[1, g], [0, 1]]) @ (200 * principal * np.outer(direction, direction)) @ np.array([[1, g], [0, 1]]).T
+    force = (np.array([[1, g], [0, 1]]) @ (200 * principal * np.outer(direction, direction))
+             @ np.array([[1, g], [0, 1]]).T)
     bench.near("shear", g, 0.625, absolute=1e-3)
     for name, exact in (("xx", force[0, 0]), ("yy", force[1, 1]), ("xy", force[0, 1])):
         bench.near(f"stress {name}", h.last(f"e_stress_{name}"), exact, relative=1e-5)
@@ -155,11 +162,14 @@ def fabric_bending(bench):
     D-813, 1961). A sheet of 2 x 1 in 16 x 10 elements, whose inner nodes are moved at random by up to 0.3 of a cell, is turned at its ends and comes to rest. The
     curvature of the theory from the measured P and M is compared with that of the ends. The tolerance is 1 %; strains are 0.1 %."""
     young, nu, thickness, height, length = 1000.0, 0.3, 0.01, 1.0, 2.0
-    mesh = meshes.write_exodus(bench.file("strip.exo"), *meshes.make_surface((16, 10), lambda u, v: (length * u, height * (v - 0.5), 0 * u), 0.3))
+    mesh = meshes.write_exodus(bench.file("strip.exo"), *meshes.make_surface(
+        (16, 10), lambda u, v: (length * u, height * (v - 0.5), 0 * u), 0.3))
     rows, curve = [], []
     for turn in (0.5, 2.0, 4.0, 8.0):
         strain, curvature = 1e-3, 1e-3 * turn
-        ends = "\n".join(f"  - {{nodes: {{inside: [[{x}, {y!r}, 0], [{x}, {y!r}, 0]]}}, velocity: {{x: {{table: [[0, {s * 0.5 * length * (strain + curvature * y)!r}], [1, {s * 0.5 * length * (strain + curvature * y)!r}], [1.001, 0]]}}}}}}"
+        ends = "\n".join(f"  - {{nodes: {{inside: [[{x}, {y!r}, 0], [{x}, {y!r}, 0]]}}, velocity: {{x: {{table: [[0, "
+                         f"{s * 0.5 * length * (strain + curvature * y)!r}], [1, "
+                         f"{s * 0.5 * length * (strain + curvature * y)!r}], [1.001, 0]]}}}}}}"
                          for x, s in ((0.0, -1), (length, 1)) for y in np.linspace(-0.5, 0.5, 11).tolist())
         run = bench.run("""
 title: A sheet is stretched and bent
@@ -222,5 +232,6 @@ output: {history: {every: 1e-2, nodes: [{name: top, near: [0, 0, 0]}, {name: sid
         name = f"{n} elements along the radius"
         bench.near(f"{name}: radius", float(width), 0.7627, relative=within)
         bench.near(f"{name}: height", 2 * abs(h.last("top_z")), 0.9139, relative=within)
-        rows.append([name, f"{h.last('side_x'):.4f}", f"{np.hypot(h.last('slant_x'), h.last('slant_y')):.4f}", f"{2 * abs(h.last('top_z')):.4f}"])
+        rows.append([name, f"{h.last('side_x'):.4f}", f"{np.hypot(h.last('slant_x'), h.last('slant_y')):.4f}",
+                     f"{2 * abs(h.last('top_z')):.4f}"])
     bench.table(["mesh", "radius along an axis", "at 45 degrees", "height"], rows)

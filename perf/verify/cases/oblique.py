@@ -39,8 +39,10 @@ class SlippingCircle:
         for _ in range(60):
             rows = np.where(slips[:, None] == 0, self.shift[:rings, :rings], self.stress[:rings, :rings])
             shares = np.linalg.solve(rows, np.where(slips == 0, self.displacement[:rings] + step, slips * limit))
-            stress, way = self.stress[:rings, :rings] @ shares, step - (self.shift[:rings, :rings] @ shares - self.displacement[:rings])
-            wanted = np.where(slips == 0, np.where(np.abs(stress) > limit * (1 + 1e-9), np.sign(stress), 0), np.where(slips * way < 0, 0, slips))
+            stress, way = (self.stress[:rings, :rings] @ shares,
+                           step - (self.shift[:rings, :rings] @ shares - self.displacement[:rings]))
+            wanted = np.where(slips == 0, np.where(np.abs(stress) > limit * (1 + 1e-9), np.sign(stress), 0),
+                              np.where(slips * way < 0, 0, slips))
             if np.array_equal(wanted, slips):
                 break
             slips = wanted
@@ -56,7 +58,8 @@ def follow_oblique_impact(masses, speeds, friction, rings=120):
     modulus, curvature = 0.5 * YOUNG / (1 - NU**2), RADIUS / 2
     depth, _, time = find_hertz(modulus, curvature, masses[0], speeds[0])
     k = 4 / 3 * modulus * np.sqrt(curvature)
-    half = solve_ivp(lambda _, y: [y[1], -k * max(y[0], 0)**1.5 / masses[0]], (0, time / 2), [0, speeds[0]], rtol=1e-10, atol=1e-16, dense_output=True).sol
+    half = solve_ivp(lambda _, y: [y[1], -k * max(y[0], 0)**1.5 / masses[0]], (0, time / 2), [0, speeds[0]], rtol=1e-10,
+                     atol=1e-16, dense_output=True).sol
     circle = SlippingCircle(rings, np.sqrt(curvature * depth), 2 * (2 - NU) / SHEAR, friction)
     grid = np.linspace(0, time / 2, 40001)
     reached = np.interp(circle.radii[:-1]**2 / curvature, half(grid)[0], grid)  # when the circle grows to each ring
@@ -76,7 +79,8 @@ def follow_oblique_impact(masses, speeds, friction, rings=120):
 
 def half_ball(bench, across, share):
     """A half (y >= 0) of a ball, its cells drawn together at the lowest point, as a file."""
-    points, corners = meshes.keep(*meshes.generate(bench, f"sphere: {{radius: 1, cells: {across}}}"), lambda x, y, z: y > 0)
+    points, corners = meshes.keep(*meshes.generate(bench,
+                                                   f"sphere: {{radius: 1, cells: {across}}}"), lambda x, y, z: y > 0)
     points = RADIUS * meshes.draw_together(points, share)
     points[np.abs(points) < 1e-12 * RADIUS] = 0
     return meshes.write_exodus(bench.file(f"half_{across}.exo"), points, corners)
@@ -99,12 +103,14 @@ output: {fields: {every: $end, write: [velocity, mass]}, history: {every: 2e-7}}
 def find_rigid_motion(frames, frame, part):
     """Mass, inertia about y, place of the centre, its velocity and the spin about y of a whole ball, of which a half is there."""
     nodes = frames.nodes_of_part(part)
-    mass, points, velocity = 2 * frames.node("mass", 0)[nodes], frames.points(frame)[nodes], frames.node("velocity", frame)[nodes]
+    mass, points, velocity = (2 * frames.node("mass", 0)[nodes], frames.points(frame)[nodes],
+                              frames.node("velocity", frame)[nodes])
     total = mass.sum()
     center, mean = (mass @ points) / total, (mass @ velocity) / total
     arm, rate = points - center, velocity - mean
     inertia = float(mass @ (arm[:, 0]**2 + arm[:, 2]**2))
-    return float(total), inertia, center, mean, float(mass @ (arm[:, 2] * rate[:, 0] - arm[:, 0] * rate[:, 2])) / inertia
+    return (float(total), inertia, center, mean,
+            float(mass @ (arm[:, 2] * rate[:, 0] - arm[:, 0] * rate[:, 2])) / inertia)
 
 
 def measure_oblique_impact(frames):
@@ -113,7 +119,8 @@ def measure_oblique_impact(frames):
     end = [find_rigid_motion(frames, -1, p) for p in (0, 1)]
     arms = [-body[2][2] for body in start]
     slip = [[body[3][0] + body[4] * arm for body, arm in zip(bodies, arms)] for bodies in (start, end)]
-    masses = (1 / sum(1 / body[0] for body in start), 1 / sum(1 / body[0] + arm**2 / body[1] for body, arm in zip(start, arms)))
+    masses = (1 / sum(1 / body[0] for body in start),
+              1 / sum(1 / body[0] + arm**2 / body[1] for body, arm in zip(start, arms)))
     normal = [bodies[0][3][2] - bodies[1][3][2] for bodies in (start, end)]
     return masses, normal, [pair[0] - pair[1] for pair in slip]
 
@@ -139,12 +146,13 @@ def maw_impact(bench):
         path, rows, before = half_ball(bench, across, 0.85), [], bench.cpu
         for psi in (1.0, 4.0) if bench.quick else (0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0):
             slide = psi * friction * speed / scale
-            run = bench.run(OBLIQUE, low=path, high=path, end=5.5e-5, across=-0.5 * slide, back=0.5 * slide, down=-0.5 * speed, up=0.5 * speed,
-                            friction=friction, enforcement="")
+            run = bench.run(OBLIQUE, low=path, high=path, end=5.5e-5, across=-0.5 * slide, back=0.5 * slide,
+                            down=-0.5 * speed, up=0.5 * speed, friction=friction, enforcement="")
             masses, normal, slip = measure_oblique_impact(run.frames)
             after, _ = follow_oblique_impact(masses, (speed, slip[0]), friction)
             to_psi = scale / (friction * speed)
-            rows.append((slip[0] * to_psi, after * to_psi, slip[1] * to_psi, -normal[1] / normal[0], run.history.largest("energy_error")))
+            rows.append((slip[0] * to_psi, after * to_psi, slip[1] * to_psi, -normal[1] / normal[0],
+                         run.history.largest("energy_error")))
         meshed.append((across, run.summary["elements"], max(abs(row[2] - row[1]) for row in rows), bench.cpu - before))
         curves.append((across, rows, masses))
     for row in rows:
@@ -165,4 +173,5 @@ def maw_impact(bench):
         axes.set(xlabel="psi before the impact", ylabel="psi after")
         axes.legend()
 
-    bench.figure("Speed of the points of contact across each other, before and after; dashed: Maw, Barber and Fawcett with the masses of the mesh.", draw)
+    bench.figure("Speed of the points of contact across each other, before and after; "
+                 "dashed: Maw, Barber and Fawcett with the masses of the mesh.", draw)

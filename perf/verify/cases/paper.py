@@ -32,11 +32,15 @@ def run_scene(bench, scene, elements, end, closed, same_bits_steps):
     short = text.replace("time: {", f"time: {{max_steps: {same_bits_steps}, ")
     one, four = bench.run(short), bench.run(short, ranks=4)
     bench.above(f"interactions within {same_bits_steps} steps", one.history.largest("contacts"), 0)
-    bench.equal(f"state_hash after {same_bits_steps} steps on 4 ranks and on 1", four.summary["state_hash"], one.summary["state_hash"])
-    bench.equal("history.csv on 4 ranks, every byte", "same" if one.history_bytes == four.history_bytes else "other", "same")
+    bench.equal(f"state_hash after {same_bits_steps} steps on 4 ranks and on 1", four.summary["state_hash"],
+                one.summary["state_hash"])
+    bench.equal("history.csv on 4 ranks, every byte",
+                "same" if one.history_bytes == four.history_bytes else "other", "same")
     energy = run.summary["energy"]
-    bench.table(["kinetic at the start", "kinetic", "internal", "hourglass", "viscous", "contact", "friction", "steps", "loop on one core [s]"],
-                [[f"{h.first('kinetic'):.4g}"] + [f"{energy[name]:.4g}" for name in ("kinetic", "internal", "hourglass", "viscous", "contact", "friction")]
+    bench.table(["kinetic at the start", "kinetic", "internal", "hourglass", "viscous", "contact", "friction", "steps",
+                 "loop on one core [s]"],
+                [[f"{h.first('kinetic'):.4g}"] + [f"{energy[name]:.4g}" for name in ("kinetic", "internal", "hourglass",
+                                                                                     "viscous", "contact", "friction")]
                  + [run.summary["steps"], f"{run.summary['loop_s']:.0f}"]], "Energies at the end [J]:")
     return run
 

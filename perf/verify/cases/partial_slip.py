@@ -28,7 +28,8 @@ output:
   history: {every: 1e-7, forces: [{name: touch, contact: [high, low]}]}
 """
 PRESS = "t < 3e-5 ? -4.7e-6 * (1 - cos(pi * t / 3e-5)) : -9.4e-6"
-PUSH = f"t < {START} ? 0 : (t < {EVEN} ? {SPEED} * (t - {START})^2 / {2 * (EVEN - START)} : {SPEED} * (t - {(START + EVEN) / 2}))"
+PUSH = (f"t < {START} ? 0 : (t < {EVEN} ? {SPEED} * (t - {START})^2 / {2 * (EVEN - START)} : {SPEED} * "
+        f"(t - {(START + EVEN) / 2}))")
 
 
 def find_push(t):
@@ -69,7 +70,8 @@ def hold_far_sides(far):
 
 def push_caps(bench, far, friction, end, low=6):
     """The run, the normal force (a mean) and the tangential force over the rows, both of whole bodies. low: elements of the lower one on the radius of contact."""
-    run = bench.run(PRESSED, low=make_cap(bench, far, low), high=make_cap(bench, far, 6), held=hold_far_sides(far), friction=friction, end=end)
+    run = bench.run(PRESSED, low=make_cap(bench, far, low), high=make_cap(bench, far, 6), held=hold_far_sides(far),
+                    friction=friction, end=end)
     h = run.history
     return run, 2 * h.mean(EVEN, end, "fz:touch"), 2 * np.abs(h["fx:touch"])
 
@@ -139,15 +141,21 @@ def partial_slip(bench):
         share = np.minimum(side / (friction * normal), 1)
         exact = largest * (1 - (1 - share)**(2 / 3))
         judged = (share > 0.2) & (share < 0.95)
-        bench.near(f"{which}: largest error of the way for T from 0.2 to 0.95 mu N, over the largest way", float(np.abs(local - exact)[judged].max() / largest), 0, absolute=0.01)
-        bench.near(f"{which}: largest T over mu N", float(side[h["time"] > 1.15e-4].mean() / (friction * normal)), 1.0, relative=0.01)
-        bench.near(f"{which}: largest change of N over N", float(np.abs(2 * h["fz:touch"][judged] / normal - 1).max()), 0, absolute=1e-3)
-        measured = [measure_rings(run, frame, friction) for frame in range(run.frames.count) if run.frames.times[frame] > EVEN]
+        bench.near(f"{which}: largest error of the way for T from 0.2 to 0.95 mu N, over the largest way",
+                   float(np.abs(local - exact)[judged].max() / largest), 0, absolute=0.01)
+        bench.near(f"{which}: largest T over mu N", float(side[h["time"] > 1.15e-4].mean() / (friction * normal)), 1.0,
+                   relative=0.01)
+        bench.near(f"{which}: largest change of N over N", float(np.abs(2 * h["fz:touch"][judged] / normal - 1).max()),
+                   0, absolute=1e-3)
+        measured = [measure_rings(run, frame, friction)
+                    for frame in range(run.frames.count) if run.frames.times[frame] > EVEN]
         rings[which] = [ring for ring in measured if ring[2] < 0.95]
-        bench.near(f"{which}: radius of contact", 1e3 * rings[which][0][1], 1e3 * find_radius(normal), relative=0.02, unit="mm")
+        bench.near(f"{which}: radius of contact", 1e3 * rings[which][0][1], 1e3 * find_radius(normal),
+                   relative=0.02, unit="mm")
         for wanted in (0.3, 0.6, 0.8):
             stuck, touching, acts = min(rings[which], key=lambda ring: abs(ring[2] - wanted))
-            bench.near(f"{which}: c / a where T is {acts:.2f} mu N", stuck / touching, (1 - acts)**(1 / 3), absolute=0.03)
+            bench.near(f"{which}: c / a where T is {acts:.2f} mu N", stuck / touching, (1 - acts)**(1 / 3),
+                       absolute=0.03)
         bench.below(f"{which}: energy balance, largest error", h.largest("energy_error"), 1e-3)
         pushed = (h["time"] > START) & (share < 0.999)
         curves.append((which, 1e6 * local[pushed], share[pushed], 1e6 * exact[pushed]))

@@ -64,7 +64,8 @@ def extrude(flat, cells, heights):
     """Hexahedra over the cells of a plane, in layers between heights."""
     count = len(flat)
     points = np.concatenate([np.column_stack([flat, np.full(count, z)]) for z in heights])
-    return points, np.concatenate([np.hstack([cells + k * count, cells + (k + 1) * count]) for k in range(len(heights) - 1)])
+    return (points,
+            np.concatenate([np.hstack([cells + k * count, cells + (k + 1) * count]) for k in range(len(heights) - 1)]))
 
 
 def make_bodies(bench, layers):
@@ -76,13 +77,15 @@ def make_bodies(bench, layers):
     along = 0.0006 * np.arange(9)
     along = THICK + 1e-6 + np.concatenate([along, grow(along[-1], 0.08, 0.0006, 1.2)])
     projectile = extrude(*make_quarter_disc(np.linspace(0.0055, 0.01, 6)), along)
-    return (meshes.write_exodus(bench.file(f"{name}_{layers}.exo"), *body) for name, body in (("plate", plate), ("projectile", projectile)))
+    return (meshes.write_exodus(bench.file(f"{name}_{layers}.exo"), *body)
+            for name, body in (("plate", plate), ("projectile", projectile)))
 
 
 def clamp_rim(around=8):
     """Conditions of the nodes on the rim of the plate, one for each angle."""
     places = [(RIM * np.cos(a), RIM * np.sin(a)) for a in np.linspace(0, np.pi / 2, around + 1)]
-    return "\n".join(f"  - {{nodes: {{name: plate, inside: [[{x - 1e-7}, {y - 1e-7}, -1], [{x + 1e-7}, {y + 1e-7}, 1]]}}, fixed: [x, y, z]}}" for x, y in places)
+    return "\n".join(f"  - {{nodes: {{name: plate, inside: [[{x - 1e-7}, {y - 1e-7}, -1], [{x + 1e-7}, {y + 1e-7}, "
+                     "1]]}, fixed: [x, y, z]}" for x, y in places)
 
 
 def strike(bench, speed, layers, end):
@@ -102,11 +105,15 @@ def draw_section(axes, frames, frame):
     from matplotlib.collections import PolyCollection
     start, now = frames.points(0), 1e3 * frames.points(frame)
     faces = frames.corners[:, [0, 1, 5, 4]]
-    shown = (np.abs(start[faces, 1]) < 1e-9).all(axis=1) & (frames.element("alive", frame) > 0.5) & (start[faces, 0].max(axis=1) < 0.03) & (start[faces, 2].max(axis=1) < 0.03)
-    drawn = PolyCollection(now[faces[shown]][:, :, [0, 2]].round(2), array=frames.element("equivalent_plastic_strain", frame)[shown], cmap="viridis", edgecolors="face", linewidths=0.1)
+    shown = ((np.abs(start[faces, 1]) < 1e-9).all(axis=1) & (frames.element("alive", frame) > 0.5)
+             & (start[faces, 0].max(axis=1) < 0.03) & (start[faces, 2].max(axis=1) < 0.03))
+    drawn = PolyCollection(now[faces[shown]][:, :, [0, 2]].round(2),
+                           array=frames.element("equivalent_plastic_strain", frame)[shown], cmap="viridis",
+                           edgecolors="face", linewidths=0.1)
     drawn.set_clim(0, 1)
     axes.add_collection(drawn)
-    axes.set(xlabel="x [mm]", ylabel="z [mm]", aspect="equal", xlim=(0, 30), ylim=(now[faces[shown], 2].min() - 1, now[faces[shown], 2].max() + 1))
+    axes.set(xlabel="x [mm]", ylabel="z [mm]", aspect="equal", xlim=(0, 30),
+             ylim=(now[faces[shown], 2].min() - 1, now[faces[shown], 2].max() + 1))
     axes.figure.colorbar(drawn, ax=axes, label="plastic strain")
 
 
@@ -130,7 +137,8 @@ def plug(bench):
     rows, points = [], []
     for layers in (12, 24) if bench.quick else (12, 24, 36):
         run, left = strike(bench, 303.5, layers, 1.2e-4)
-        rows.append([layers, run.summary["elements"], run.summary["eroded"]["elements"], run.summary["steps"], f"{left:.1f}", f"{100 * (left / find_residual(303.5) - 1):+.1f} %"])
+        rows.append([layers, run.summary["elements"], run.summary["eroded"]["elements"], run.summary["steps"],
+                     f"{left:.1f}", f"{100 * (left / find_residual(303.5) - 1):+.1f} %"])
         if layers == 24:
             frames = run.frames
             points.append((303.5, left))
@@ -144,10 +152,13 @@ def plug(bench):
         points.append((share * LIMIT, left if share > 1 else 0.0))
         nose = 1e3 * run.frames.points()[run.frames.nodes_of_part(1), 2].min()
         judge = bench.below if share > 1 else bench.above
-        judge(f"{100 * share:.0f} % of the limit: height of the nose above the back of the plate at the start", nose, 0.0, "mm")
+        judge(f"{100 * share:.0f} % of the limit: height of the nose above the back of the plate at the start",
+              nose, 0.0, "mm")
         judge = bench.above if share > 1 else bench.below
-        judge(f"{100 * share:.0f} % of the limit: speed of the projectile at the end over that before", left / (share * LIMIT), 0.1)
-    bench.table(["layers", "elements", "eroded", "steps", "speed behind the plate at 303.5 m/s [m/s]", "from the formula"], rows)
+        judge(f"{100 * share:.0f} % of the limit: speed of the projectile at the end over that before",
+              left / (share * LIMIT), 0.1)
+    bench.table(["layers", "elements", "eroded", "steps",
+                 "speed behind the plate at 303.5 m/s [m/s]", "from the formula"], rows)
 
     def draw(axes):
         speed = np.linspace(150, 320, 300)

@@ -35,8 +35,9 @@ output:
     elements: [{name: foot, near: [0, 0, 0]}]
 """ + QUARTER_BAR
 # Time [us], foot radius and length [mm]: two independent codes on several meshes.
-REFERENCE = np.array([[5, 4.507, 31.265], [10, 5.218, 30.140], [20, 6.195, 28.063], [30, 6.811, 26.185], [40, 7.139, 24.556],
-                      [50, 7.230, 23.215], [60, 7.227, 22.205], [70, 7.227, 21.583], [78, 7.226, 21.412], [80, 7.225, 21.420]])
+REFERENCE = np.array(
+    [[5, 4.507, 31.265], [10, 5.218, 30.140], [20, 6.195, 28.063], [30, 6.811, 26.185], [40, 7.139, 24.556],
+     [50, 7.230, 23.215], [60, 7.227, 22.205], [70, 7.227, 21.583], [78, 7.226, 21.412], [80, 7.225, 21.420]])
 LENGTH, RADIUS = 21.42, 7.225
 
 
@@ -44,7 +45,8 @@ def run_taylor(bench, n, elements, cells=None):
     """Quarter of the bar, 3 n^2 x 20 n elements, or that of a generated cylinder with the cells (across, along). Returns the run; its history follows
     top, foot, axis and diagonal."""
     across, along = cells or (4 * n, 20 * n)
-    path = meshes.write_exodus(bench.file(f"bar_{across}.exo"), *meshes.quarter_cylinder(bench, 3.2e-3, 32.4e-3, across, along))
+    path = meshes.write_exodus(bench.file(f"bar_{across}.exo"),
+                               *meshes.quarter_cylinder(bench, 3.2e-3, 32.4e-3, across, along))
     return bench.run("""
 title: Taylor bar
 time: {end: 80e-6}
@@ -65,18 +67,18 @@ def measure_taylor(run):
     rim = (np.abs(start[:, 2]) < 1e-9) & (np.abs(np.hypot(start[:, 0], start[:, 1]) - 3.2e-3) < 1e-9)
     radii = 1e3 * np.hypot(end[rim, 0], end[rim, 1])
     energy = run.summary["energy"]
-    return {"length": 1e3 * h.last("top_z"), "axis": 1e3 * h.last("axis_x"), "least": radii.min(), "largest": radii.max(),
-            "hourglass": energy["hourglass"] / energy["internal"], "energy": h.largest("energy_error"),
+    return {"length": 1e3 * h.last("top_z"), "axis": 1e3 * h.last("axis_x"), "least": radii.min(), "largest":
+            radii.max(), "hourglass": energy["hourglass"] / energy["internal"], "energy": h.largest("energy_error"),
             "strain": frames.element("equivalent_plastic_strain").max(), "elements": run.summary["elements"]}
 
 
 def tabulate(rows):
-    heading = ["choice", "elements", "L [mm]", "error", "R: axis [mm]", "error", "R: least, largest [mm]", "not round", "largest plastic strain",
-               "hourglass / internal", "energy error", "time [s]"]
-    table = [[name, m["elements"], f"{m['length']:.3f}", f"{100 * (m['length'] / LENGTH - 1):+.2f} %", f"{m['axis']:.3f}",
-              f"{100 * (m['axis'] / RADIUS - 1):+.2f} %", f"{m['least']:.3f}, {m['largest']:.3f}",
-              f"{100 * (m['largest'] / m['least'] - 1):.2f} %", f"{m['strain']:.2f}", f"{100 * m['hourglass']:.2f} %", f"{m['energy']:.1e}",
-              f"{seconds:.1f}"] for name, m, seconds in rows]
+    heading = ["choice", "elements", "L [mm]", "error", "R: axis [mm]", "error", "R: least, largest [mm]", "not round",
+               "largest plastic strain", "hourglass / internal", "energy error", "time [s]"]
+    table = [[name, m["elements"], f"{m['length']:.3f}", f"{100 * (m['length'] / LENGTH - 1):+.2f} %",
+              f"{m['axis']:.3f}", f"{100 * (m['axis'] / RADIUS - 1):+.2f} %", f"{m['least']:.3f}, {m['largest']:.3f}",
+              f"{100 * (m['largest'] / m['least'] - 1):.2f} %", f"{m['strain']:.2f}",
+              f"{100 * m['hourglass']:.2f} %", f"{m['energy']:.1e}", f"{seconds:.1f}"] for name, m, seconds in rows]
     return heading, table
 
 
@@ -114,15 +116,20 @@ def taylor_bar(bench):
             bench.below(f"{which}: foot out of round", m["largest"] / m["least"] - 1, 1.5e-3)
             bench.below(f"{which}: hourglass work over internal energy", m["hourglass"], 2e-3)
             bench.below(f"{which}: energy balance, largest error", m["energy"], 1e-4)
-    errors = {key: [abs(results[n][key] - exact) for n in sizes] for key, exact in (("length", LENGTH), ("axis", RADIUS))}
+    errors = {key: [abs(results[n][key] - exact) for n in sizes]
+              for key, exact in (("length", LENGTH), ("axis", RADIUS))}
     for key, name in (("length", "length"), ("axis", "foot radius")):
         values = [results[n][key] for n in sizes]
-        bench.equal(f"{name}: monotone over {len(sizes)} meshes", bool(np.all(np.diff(values) > 0) or np.all(np.diff(values) < 0)), True)
-        bench.above(f"{name}: observed order against the reference", observed_order([1 / n for n in sizes], errors[key]), 0.8)
+        bench.equal(f"{name}: monotone over {len(sizes)} meshes",
+                    bool(np.all(np.diff(values) > 0) or np.all(np.diff(values) < 0)), True)
+        bench.above(f"{name}: observed order against the reference",
+                    observed_order([1 / n for n in sizes], errors[key]), 0.8)
     for time, radius, length in REFERENCE:
         if time in (10, 30, 50, 70):
-            bench.near(f"length at {time:.0f} us", 1e3 * last.at(1e-6 * time, "top_z"), length, relative=5e-3, unit="mm")
-            bench.near(f"foot radius at {time:.0f} us", 1e3 * last.at(1e-6 * time, "axis_x"), radius, relative=1e-2, unit="mm")
+            bench.near(f"length at {time:.0f} us", 1e3 * last.at(1e-6 * time, "top_z"), length,
+                       relative=5e-3, unit="mm")
+            bench.near(f"foot radius at {time:.0f} us", 1e3 * last.at(1e-6 * time, "axis_x"), radius,
+                       relative=1e-2, unit="mm")
     bench.table(*tabulate(rows))
 
     def draw(axes):
@@ -171,7 +178,8 @@ def johnson_cook(bench):
     a value is."""
     rows, last = [], None
     for n in (2, 3) if bench.quick else (2, 3, 4, 6):
-        path = meshes.write_exodus(bench.file(f"bar_{n}.exo"), *meshes.quarter_cylinder(bench, 3.2e-3, 32.4e-3, 4 * n, 20 * n))
+        path = meshes.write_exodus(bench.file(f"bar_{n}.exo"),
+                                   *meshes.quarter_cylinder(bench, 3.2e-3, 32.4e-3, 4 * n, 20 * n))
         run = bench.run(JOHNSON_COOK, file=path)
         h, frames = run.history, run.frames
         diameter = np.hypot(h.last("axis_x"), h.last("axis_y")) + np.hypot(h.last("diagonal_x"), h.last("diagonal_y"))
@@ -179,13 +187,16 @@ def johnson_cook(bench):
         last = values if n <= 4 else last  # n = 6 shows what is left of the mesh
         largest = [frames.element(name).max() for name in ("temperature", "equivalent_plastic_strain")]
         ranges = [(26.52, 26.56)] + [limits[:2] for limits in STEEL.values()]
-        rows.append([n, run.summary["elements"], *(show_against(v, *r, d) for v, r, d in zip(values, ranges, (3, 3, 1, 3))),
+        rows.append([n, run.summary["elements"],
+                     *(show_against(v, *r, d) for v, r, d in zip(values, ranges, (3, 3, 1, 3))),
                      f"{largest[0]:.1f}, {largest[1]:.3f}", f"{h.largest('energy_error'):.1e}"])
     bench.near("length, against the middle of the range", last[0], 26.54, relative=0.005, unit="mm")
     bench.near("foot diameter, against the middle of the range", last[1], 11.185, relative=0.01, unit="mm")
     for value, (name, (low, high, tolerance, unit)) in zip(last[1:], STEEL.items()):
-        bench.near(f"{name}, against {low} to {high}", value, float(np.clip(value, low, high)), relative=tolerance, unit=unit)
-    bench.table(["n", "elements", "length [mm]", "foot diameter [mm]", "temperature [C]", "plastic strain", "largest of all elements", "energy error"], rows)
+        bench.near(f"{name}, against {low} to {high}", value, float(np.clip(value, low, high)),
+                   relative=tolerance, unit=unit)
+    bench.table(["n", "elements", "length [mm]", "foot diameter [mm]", "temperature [C]", "plastic strain",
+                 "largest of all elements", "energy error"], rows)
 
 
 @case("taylor_choices", "plastic", "Taylor bar: the choices of elements")

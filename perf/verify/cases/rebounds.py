@@ -24,8 +24,10 @@ output: {history: {every: 0}}
         z = run.history["body_z:body"]
         tops = z[1:-1][(z[1:-1] > z[:-2]) & (z[1:-1] >= z[2:])] - 0.05
         for i in range(2):
-            bench.near(f"{enforcement}, e = {e:g}: top {i + 1}", 1e3 * float(tops[i]), 1e3 * drop * e**(2 * i + 2), absolute=0.1, unit="mm")
-        bench.below(f"{enforcement}, e = {e:g}: energy balance, largest error", run.history.largest("energy_error"), 1e-6)
+            bench.near(f"{enforcement}, e = {e:g}: top {i + 1}", 1e3 * float(tops[i]), 1e3 * drop * e**(2 * i + 2),
+                       absolute=0.1, unit="mm")
+        bench.below(f"{enforcement}, e = {e:g}: energy balance, largest error",
+                    run.history.largest("energy_error"), 1e-6)
         rows.append([enforcement, f"{e:g}", *(f"{1e3 * top:.3f}" for top in tops[:2])])
     bench.table(["contact", "e", "first top [mm]", "second top [mm]"], rows)
 
@@ -37,12 +39,15 @@ def rattling_block(bench):
     of what contact has taken and what its springs hold may not err by that, nor by a change of the step (theory_contact.md, section 5).
     On walls, whose springs do not act on each other, it is zero to round-off. Rows of faces share nodes: contact gives at most 1e-4. Corners
     that come deeper than the cushion of their spring are stopped: at 0.03 up to 2 % is lost."""
-    walls = "walls: [{point: [0, 0, 0], normal: z}, {point: [0, 0, 1.5], normal: -z}]\ncontact: {enforcement: penalty}\n"
-    bodies = "\n".join(f"  {name}: {{box: {{size: [3, 3, 0.5], cells: [3, 3, 1]}}, at: [-1, -1, {z}], material: m, rigid: {{fixed: [x, y, z, rx, ry, rz]}}}}"
+    walls = ("walls: [{point: [0, 0, 0], normal: z}, {point: [0, 0, 1.5], "
+             "normal: -z}]\ncontact: {enforcement: penalty}\n")
+    bodies = "\n".join(f"  {name}: {{box: {{size: [3, 3, 0.5], cells: [3, 3, 1]}}, at: [-1, -1, {z}], material: m, "
+                       "rigid: {fixed: [x, y, z, rx, ry, rz]}}"
                        for name, z in (("low", -0.5), ("high", 1.5)))
     rows = []
     for name, speed, cells, steps, gain, loss in (
-            ("walls", 0.003, 1, "even", 1e-10, 1e-10), ("walls", 0.003, 3, "even", 1e-10, 1e-10), ("walls", 0.03, 3, "even", 1e-10, 1e-10),
+            ("walls", 0.003, 1, "even", 1e-10, 1e-10), ("walls", 0.003, 3, "even", 1e-10, 1e-10),
+            ("walls", 0.03, 3, "even", 1e-10, 1e-10),
             ("walls", 0.03, 1, "uneven", 1e-10, 1e-10), ("walls", 0.03, 3, "uneven", 1e-10, 1e-10),
             ("rigid bodies", 0.003, 3, "even", 1e-9, 1e-9), ("rigid bodies", 0.03, 3, "even", 1e-4, 0.02),
             ("rigid bodies", 0.03, 3, "uneven", 1e-4, 0.02)):
@@ -72,9 +77,10 @@ def sharp_edges(bench):
     at the height sqrt((r + t/2)^2 - 20^2) above the rims of sheets of t = 2 mm, which are round, and sqrt(r^2 - 20^2) above the
     edges of blocks. Facets lie up to 0.7 % of r inside the ball, lines touch once they have crossed, and the ball is soft: 1.5 mm."""
     for name, shapes, height, exact in (
-            ("sheets", [f"shell_plate: {{size: [0.1, 0.2], cells: [2, {n}]}}, thickness: 0.002, at: [{x}, -0.1, 0]" for x, n in ((-0.12, 4), (0.02, 3))],
-             0.0315, math.sqrt(0.031**2 - 0.02**2)),
-            ("blocks", [f"box: {{size: [0.1, 0.2, 0.1], cells: [1, {n}, 1]}}, at: [{x}, -0.1, -0.1]" for x, n in ((-0.12, 3), (0.02, 2))],
+            ("sheets", [f"shell_plate: {{size: [0.1, 0.2], cells: [2, {n}]}}, thickness: 0.002, at: [{x}, -0.1, 0]"
+                        for x, n in ((-0.12, 4), (0.02, 3))], 0.0315, math.sqrt(0.031**2 - 0.02**2)),
+            ("blocks", [f"box: {{size: [0.1, 0.2, 0.1], cells: [1, {n}, 1]}}, at: [{x}, -0.1, -0.1]"
+                        for x, n in ((-0.12, 3), (0.02, 2))],
              0.0305, math.sqrt(0.03**2 - 0.02**2))):
         run = bench.run("""
 time: {end: 0.45}
@@ -90,7 +96,8 @@ damping: [{nodes: ball, coefficient: 10}]
 contact: {surfaces: all, friction: 0.2}
 output: {history: {every: 2e-3, nodes: [{name: c, near: [0.003, 0, $height], part: ball}]}}
 """, height=height, left=shapes[0], right=shapes[1])
-        bench.near(f"edges of {name}: height of the ball", 1e3 * run.history.last("c_z"), 1e3 * exact, absolute=1.5, unit="mm")
+        bench.near(f"edges of {name}: height of the ball", 1e3 * run.history.last("c_z"), 1e3 * exact,
+                   absolute=1.5, unit="mm")
         bench.near(f"edges of {name}: its place across", 1e3 * run.history.last("c_x"), 0, absolute=1.5, unit="mm")
         told = [warning["rule"] for warning in run.summary["warnings"]]
         bench.equal(f"edges of {name}: warnings of missed contact", told.count("missed_contact"), 0)

@@ -31,17 +31,21 @@ def slide_to_roll(bench):
     of the angular momentum over the mass: 1 % of v R with the backspin, less than 0.1 % without. Tolerances are 1 % of 1
     m/s for speeds and 1 % for times, with half the faces both are twice as far off."""
     faces, curves = 1440, []
-    for name, inertia, spin in (("full cylinder", 0.5, 0.0), ("hoop", 1.0, 0.0), ("full cylinder with backspin", 0.5, 3.0)):
+    for name, inertia, spin in (("full cylinder", 0.5, 0.0), ("hoop", 1.0, 0.0),
+                                ("full cylinder with backspin", 0.5, 3.0)):
         time = (1 + spin) / (0.1 * G * (1 + 1 / inertia))
         speed = (1 - inertia * spin) / (1 + inertia)
-        h = bench.run(ROLLER, end=1.5 * time, step=1e-4, faces=faces, turn=180 / faces, height=float(np.cos(np.pi / faces)), inertia=inertia, across=0.8 * inertia, spin=-spin).history
+        h = bench.run(ROLLER, end=1.5 * time, step=1e-4, faces=faces, turn=180 / faces,
+                      height=float(np.cos(np.pi / faces)), inertia=inertia, across=0.8 * inertia, spin=-spin).history
         slip = h["body_vx:wheel"] - h["body_wy:wheel"]
         late = h["time"] > 1.05 * time
         straight = (slip < 0.9 * slip[0]) & (slip > 0.1 * slip[0])
         found = float(np.roots(np.polyfit(h["time"][straight], slip[straight], 1))[0])
         bench.near(f"{name}: time at which it rolls", found, time, relative=0.01, unit="s")
-        bench.near(f"{name}: speed at which it rolls", float(h["body_vx:wheel"][late].mean()), speed, absolute=0.01, unit="m/s")
-        bench.near(f"{name}: spin at which it rolls", float(h["body_wy:wheel"][late].mean()), speed, absolute=0.01, unit="rad/s")
+        bench.near(f"{name}: speed at which it rolls", float(h["body_vx:wheel"][late].mean()), speed, absolute=0.01,
+                   unit="m/s")
+        bench.near(f"{name}: spin at which it rolls", float(h["body_wy:wheel"][late].mean()), speed, absolute=0.01,
+                   unit="rad/s")
         curves.append((name, h, time, speed))
 
     def draw(axes):

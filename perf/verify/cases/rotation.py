@@ -71,7 +71,8 @@ def prestressed_turn(bench):
     w, stretch, nu = 500.0, 1e-3, 0.3
     end = 1e-3 + 10.125 * 2 * np.pi / w
     for name, text in choices.list_elements(bench).items():
-        run = bench.run(IMPOSED, end=end, step=3e-5, every=1e-3, file=path, elements=text + ", bulk_viscosity: {linear: 0, quadratic: 0}",
+        run = bench.run(IMPOSED, end=end, step=3e-5, every=1e-3, file=path,
+                        elements=text + ", bulk_viscosity: {linear: 0, quadratic: 0}",
                         conditions=turn_nodes(points.tolist(), w, stretch))
         h = run.history
         factor = YOUNG / ((1 + nu) * (1 - 2 * nu)) * np.log(1 + stretch) / (1 + stretch)
@@ -86,7 +87,8 @@ def prestressed_turn(bench):
                 worst = max(worst, np.abs(got - sigma[[0, 1, 2, 0, 1, 2], [0, 1, 2, 1, 2, 0]]).max())
         bench.below(f"{name}: stress, largest error over that of the start", worst / sigma0[0, 0], 1e-8)
         after = h["time"] > 1.1e-3
-        bench.below(f"{name}: internal energy while it turns, largest change", np.ptp(h["internal"][after]) / h.last("internal"), 1e-6)
+        bench.below(f"{name}: internal energy while it turns, largest change",
+                    np.ptp(h["internal"][after]) / h.last("internal"), 1e-6)
 
 
 @case("free_turns", "exact", "Free rotation: a hundred turns")
@@ -127,7 +129,8 @@ output: {history: {every: $every}}
         axes.set(xlabel="turns", ylabel="change of kinetic energy")
         axes.legend()
 
-    bench.figure("Kinetic energy of the spinning block: it vibrates until viscosity has damped the initial imbalance, then stays constant.", draw)
+    bench.figure("Kinetic energy of the spinning block: it vibrates until viscosity has damped the initial imbalance, "
+                 "then stays constant.", draw)
 
 
 @case("dzhanibekov", "exact", "Free rotation about the unstable axis")
@@ -169,7 +172,8 @@ output: {history: {every: $every, nodes: [{name: corner, near: [0.2, 0.1, 0.05]}
             return p + 2 * (s[:, None] * c + np.cross(q, c))
 
         worst = max(np.abs(h[f"{node}_{axis}"] - turned(np.array(p))[:, k]).max()
-                    for node, p in (("corner", (0.2, 0.1, 0.05)), ("side", (0, -0.1, -0.05))) for k, axis in enumerate("xyz"))
+                    for node, p in (("corner", (0.2, 0.1, 0.05)), ("side", (0, -0.1, -0.05)))
+                    for k, axis in enumerate("xyz"))
         upright = turned(np.array([0, 1, 0.0]))[:, 1]
         bench.below(f"{name}: places of two nodes, largest error over the half length", worst / a, 0.01)
         bench.below(f"{name}: angular momentum, relative change", run.summary["momentum"]["angular_error"], 1e-12)
@@ -177,7 +181,8 @@ output: {history: {every: $every, nodes: [{name: corner, near: [0.2, 0.1, 0.05]}
     bench.above("flips in the exact motion", int(np.sum(np.diff(np.sign(upright)) != 0)), 1)
 
     def draw(axes):
-        axes.plot(rigid.t * w / 2 / np.pi, turned(np.array([0.2, 0.1, 0.05]))[:, 1], label="Euler's equations", **plots.EXACT)
+        axes.plot(rigid.t * w / 2 / np.pi, turned(np.array([0.2, 0.1, 0.05]))[:, 1], label="Euler's equations",
+                  **plots.EXACT)
         axes.plot(h["time"][::5] * w / 2 / np.pi, h["corner_y"][::5], ".", markersize=3, label=f"percuss ({used})")
         axes.set(xlabel="turns", ylabel="y of a corner [m]")
         axes.legend(loc="lower left")

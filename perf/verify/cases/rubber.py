@@ -35,7 +35,8 @@ def find_force(energy, stretch, mode, bulk=BULK):
         return energy(np.asarray(stretches) / np.cbrt(j)) + bulk / 2 * (j - 1)**2
 
     def place(free):
-        return {"tension": [stretch, free, free], "two directions": [stretch, stretch, free], "pure shear": [stretch, 1.0, free]}[mode]
+        return {"tension": [stretch, free, free], "two directions": [stretch, stretch, free],
+                "pure shear": [stretch, 1.0, free]}[mode]
 
     def slope(free, k):
         low, high, d = place(free), place(free), 1e-5
@@ -50,7 +51,8 @@ def find_force(energy, stretch, mode, bulk=BULK):
 
 def pull(bench, law, stretch, mode, density=1e-2, libraries=()):
     grow = '{expression: "' + repr(stretch - 1) + ' * sin(pi * min(t, 20) / 40)^2"}'
-    second = {"tension": "", "two directions": f"  - {{nodes: b/y_max, displacement: {{y: {grow}}}}}\n", "pure shear": "  - {nodes: b/y_max, fixed: [y]}\n"}[mode]
+    second = {"tension": "", "two directions": f"  - {{nodes: b/y_max, displacement: {{y: {grow}}}}}\n",
+              "pure shear": "  - {nodes: b/y_max, fixed: [y]}\n"}[mode]
     return bench.run("""
 title: A cube of rubber
 units: mm, t, s
@@ -72,7 +74,8 @@ def make_table():
     """The curve of a uniaxial test of Ogden's law, without change of volume."""
     rows = []
     for stretch in np.concatenate([np.linspace(0.35, 0.97, 14), [1.0], np.linspace(1.05, 3.1, 17)]):
-        rows.append([float(stretch - 1), float(sum(mu * (stretch ** (a - 1) - stretch ** (-a / 2 - 1)) for a, mu in TRELOAR))])
+        rows.append([float(stretch - 1),
+                     float(sum(mu * (stretch ** (a - 1) - stretch ** (-a / 2 - 1)) for a, mu in TRELOAR))])
     return "[" + ", ".join(f"[{e!r}, {s!r}]" for e, s in rows) + "]"
 
 
@@ -84,11 +87,15 @@ def rubber_laws(bench):
     rubber in 32 rows, the most it takes: its other forces are then Ogden's too. The tolerance is 0.1 %, of the tabulated law 1 %."""
     ogden_terms = "[" + ", ".join(f"[{a}, {mu}]" for a, mu in TRELOAR) + "]"
     laws = [("ogden", ogden, f"model: ogden, bulk_modulus: {BULK}, terms: {ogden_terms}", 1e-3),
-            ("tabulated_rubber", ogden, f"model: tabulated_rubber, bulk_modulus: {BULK}, uniaxial: {make_table()}", 1e-2),
+            ("tabulated_rubber", ogden,
+             f"model: tabulated_rubber, bulk_modulus: {BULK}, uniaxial: {make_table()}", 1e-2),
             ("mooney_rivlin", mooney_rivlin, f"model: mooney_rivlin, bulk_modulus: {BULK}, c10: 0.16, c01: 0.03", 1e-3),
             ("yeoh", yeoh, f"model: yeoh, bulk_modulus: {BULK}, c10: 0.17, c20: -1e-3, c30: 3e-5", 1e-3),
-            ("arruda_boyce", arruda_boyce, f"model: arruda_boyce, bulk_modulus: {BULK}, mu: 0.3, locking_stretch: 5", 1e-3)]
+            ("arruda_boyce", arruda_boyce,
+             f"model: arruda_boyce, bulk_modulus: {BULK}, mu: 0.3, locking_stretch: 5", 1e-3)]
     for name, energy, law, within in laws:
         far = name != "tabulated_rubber"
-        for mode, stretch in (("tension", 6.0 if far else 3.0), ("tension", 0.5), ("two directions", 3.0 if far else 1.6), ("pure shear", 4.0 if far else 2.4)):
-            bench.near(f"{name}: {mode} to {stretch:g}", pull(bench, law, stretch, mode), find_force(energy, stretch, mode), relative=within, unit="MPa")
+        for mode, stretch in (("tension", 6.0 if far else 3.0), ("tension", 0.5),
+                              ("two directions", 3.0 if far else 1.6), ("pure shear", 4.0 if far else 2.4)):
+            bench.near(f"{name}: {mode} to {stretch:g}", pull(bench, law, stretch, mode),
+                       find_force(energy, stretch, mode), relative=within, unit="MPa")

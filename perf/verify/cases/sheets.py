@@ -42,7 +42,8 @@ def rolled_sheet(bench):
     for degrees, r in zip((0, 45, 90), HILL):
         stress, ratio = pull(bench, HILL, 2, degrees)
         bench.near(f"Hill, {degrees} degrees: r-value", ratio, r, relative=2e-3)
-        bench.near(f"Hill, {degrees} degrees: stress over the curve", stress, find_hill_stress(HILL, degrees), relative=2e-3)
+        bench.near(f"Hill, {degrees} degrees: stress over the curve", stress, find_hill_stress(HILL, degrees),
+                   relative=2e-3)
     for degrees, r in zip((0, 45, 90), BARLAT):
         _, ratio = pull(bench, BARLAT, 8, degrees)
         bench.near(f"Barlat and Lian, {degrees} degrees: r-value", ratio, r, relative=2e-3)

@@ -18,11 +18,15 @@ def shell_panel(bench):
     bench.near("largest deflection, against the experiment", depth.max(), 1.25, relative=0.05, unit="in")
     bench.near("largest deflection", depth.max(), 1.27, relative=0.015, unit="in")
     if not bench.quick:
-        fine = bench.run(read_deck("cylindrical_panel", **{"cells: [16, 64]": "cells: [32, 128]", "end: 1.0e-3": "end: 2.0e-3"})).history
-        bench.near("largest deflection, twice as fine", (2.9375 - fine["crown_x"]).max(), 1.30, relative=0.015, unit="in")
-        bench.near("mean deflection from 1 to 2 ms, twice as fine", 2.9375 - fine.mean(1e-3, 2e-3, "crown_x"), 1.16, relative=0.015, unit="in")
+        fine = bench.run(read_deck("cylindrical_panel",
+                                   **{"cells: [16, 64]": "cells: [32, 128]", "end: 1.0e-3": "end: 2.0e-3"})).history
+        bench.near("largest deflection, twice as fine", (2.9375 - fine["crown_x"]).max(), 1.30,
+                   relative=0.015, unit="in")
+        bench.near("mean deflection from 1 to 2 ms, twice as fine", 2.9375 - fine.mean(1e-3, 2e-3, "crown_x"), 1.16,
+                   relative=0.015, unit="in")
     bench.below("energy balance, largest error", h.largest("energy_error"), 1e-3)
-    bench.below("hourglass energy over internal", run.summary["energy"]["hourglass"] / run.summary["energy"]["internal"], 0.02)
+    bench.below("hourglass energy over internal",
+                run.summary["energy"]["hourglass"] / run.summary["energy"]["internal"], 0.02)
 
     def draw(axes):
         axes.plot(1e3 * h["time"], depth, label="crown at half length")
@@ -63,10 +67,12 @@ conditions:
 output: {history: {every: 2e-6, nodes: [{name: middle, near: [0, 0, 22.27]}]}}
 """, mesh=mesh, rim=rim + 1e-6).history
     depth = 22.27 - h["middle_z"]
-    bench.near("deflection of the middle at 0.25 ms", float(np.interp(2.5e-4, h["time"], depth)), 0.0602, relative=0.015 if bench.quick else 0.01, unit="in")
+    bench.near("deflection of the middle at 0.25 ms", float(np.interp(2.5e-4, h["time"], depth)), 0.0602,
+               relative=0.015 if bench.quick else 0.01, unit="in")
     late = h["time"] > 6e-4
     bench.near("last peak", float(depth[late].max()), 0.0685, relative=0.04 if bench.quick else 0.03, unit="in")
-    bench.near("time of the last peak", 1e3 * float(h["time"][late][np.argmax(depth[late])]), 0.865, absolute=0.03, unit="ms")
+    bench.near("time of the last peak", 1e3 * float(h["time"][late][np.argmax(depth[late])]), 0.865,
+               absolute=0.03, unit="ms")
     bench.below("energy balance, largest error", h.largest("energy_error"), 2e-3)
 
     def draw(axes):
@@ -95,7 +101,8 @@ def shell_tube(bench):
     bench.above("mean force from 15 to 67 mm", 1e-3 * mean, 1e-3 * low, unit="kN")
     bench.below("mean force from 15 to 67 mm", 1e-3 * mean, 1e-3 * high, unit="kN")
     bench.below("energy balance, largest error", h.largest("energy_error"), 1e-3)
-    bench.below("hourglass energy over internal", run.summary["energy"]["hourglass"] / run.summary["energy"]["internal"], 0.08)
+    bench.below("hourglass energy over internal",
+                run.summary["energy"]["hourglass"] / run.summary["energy"]["internal"], 0.08)
 
     def draw(axes):
         way = np.linspace(0.002, 0.067, 200)
@@ -206,19 +213,21 @@ def crush_square(bench, cells, names):
     for thickness, flow in ((1.5e-3, 300.6e6), (0.8e-3, 300.6e6)):
         moment, slender = flow * thickness ** 2 / 4, 0.06 / thickness
         for trigger in (TRIGGER, ""):
-            run = bench.run(SQUARE_TUBE, end="2.25e-2" if thickness > 1e-3 else "2.0e-2", across=cells, along=cells * 25 // 6,
-                            thickness=thickness, trigger=trigger)
+            run = bench.run(SQUARE_TUBE, end="2.25e-2" if thickness > 1e-3 else "2.0e-2", across=cells,
+                            along=cells * 25 // 6, thickness=thickness, trigger=trigger)
             force, step, depth = crush(run, 0.25)
             name = f"{1e3 * thickness:g} mm, {'with' if trigger else 'without'} a trigger{names}"
             exact = (52.22 * slender ** (1 / 3) if trigger else 32.64 * slender ** 0.5 + 8.16) * moment
-            rows.append([name, f"{force / 1e3:.2f}", f"{exact / 1e3:.2f}", f"{100 * (force / exact - 1):+.1f}", f"{step:.3f}"])
+            rows.append([name, f"{force / 1e3:.2f}", f"{exact / 1e3:.2f}", f"{100 * (force / exact - 1):+.1f}",
+                         f"{step:.3f}"])
             bench.above(f"shortening over the length, {name}", depth, 0.7)
             bench.above(f"least step over the first, {name}", step, 0.3)
             bench.below(f"energy balance, largest error, {name}", run.history.largest("energy_error"), 1e-5)
             if trigger:
                 bench.near(f"mean force, {name}", force / 1e3, exact / 1e3, relative=0.15, unit="kN")
             curves.append((name, run))
-    bench.table(["tube", "mean force [kN]", "Abramowicz and Jones [kN]", "difference [%]", "least step over the first"], rows)
+    bench.table(["tube", "mean force [kN]", "Abramowicz and Jones [kN]", "difference [%]", "least step over the first"],
+                rows)
     return curves
 
 

@@ -45,7 +45,8 @@ def shell_plate(bench):
     for cells in (8, 16) if bench.quick else (8, 16, 32):
         nodes = np.linspace(0, 1, cells + 1)
         start = "\n".join(
-            f"  - {{nodes: {{inside: [[{x!r}, {y!r}, -1], [{x!r}, {y!r}, 1]]}}, velocity: [0, 0, {1e-4 * np.sin(np.pi * x) * np.sin(np.pi * y)!r}]}}"
+            f"  - {{nodes: {{inside: [[{x!r}, {y!r}, -1], [{x!r}, {y!r}, 1]]}}, velocity: [0, 0, "
+            f"{1e-4 * np.sin(np.pi * x) * np.sin(np.pi * y)!r}]}}"
             for x in map(float, nodes[1:-1]) for y in map(float, nodes[1:-1]))
         h = bench.run("""
 title: A plate swings
@@ -89,12 +90,13 @@ parts: {ball: {shell_sphere: {radius: 0.5, cells: 4}, thickness: 0.02, at: [0, 0
 materials: {alloy: {model: elastic, density: 2700, youngs_modulus: 70e9, poissons_ratio: 0.3}}
 output: {history: {every: $every}}
 """
-    h = (run := bench.run("time: {end: 1.5e-3}\ninitial: [{part: ball, velocity: [1, 0, -5], angular_velocity: [20, 0, 0]}]\n"
-                          "walls: [{normal: [0, 0, 1], friction: 0.2}]\n" + ball, every=1e-5)).history
+    h = (run := bench.run("time: {end: 1.5e-3}\ninitial: [{part: ball, velocity: [1, 0, -5], angular_velocity: [20, 0, "
+                          "0]}]\nwalls: [{normal: [0, 0, 1], friction: 0.2}]\n" + ball, every=1e-5)).history
     bench.above("force of the wall", h.largest("wall_force_z"), 0.0, "N")
     bench.closed(run, 1e-3, "bounce")
     turn = 2 * np.pi / 100
-    run = bench.run("time: {end: $end}\ninitial: [{part: ball, angular_velocity: [10, 20, 97.5]}]\n" + ball, end=100 * turn, every=turn / 5)
+    run = bench.run("time: {end: $end}\ninitial: [{part: ball, angular_velocity: [10, 20, 97.5]}]\n" + ball,
+                    end=100 * turn, every=turn / 5)
     bench.closed(run, 1e-3, "spin")
     h = run.history
     first, last = h.mean(0, 20 * turn, "kinetic"), h.mean(80 * turn, 100 * turn, "kinetic")
@@ -124,11 +126,13 @@ def shell_pinched(bench):
         return 10 * np.cos(up) * np.cos(around), 10 * np.cos(up) * np.sin(around), 10 * np.sin(up)
 
     rows = []
-    for cells, force, share, expected, within in ((8, 200, 0, 1, 0.06), (16, 200, 0, 1, 0.02), (8, 0.02, 0, 1, 0.01), (16, 0.02, 0, 1, 0.01),
+    for cells, force, share, expected, within in ((8, 200, 0, 1, 0.06), (16, 200, 0, 1, 0.02), (8, 0.02, 0, 1, 0.01),
+                                                  (16, 0.02, 0, 1, 0.01),
                                                   (16, 0.02, 0.3, 0.95, 0.02)):
         if bench.quick and cells > 8:
             continue
-        mesh = meshes.write_exodus(bench.file(f"hemisphere_{cells}_{share}.exo"), *meshes.make_surface([cells, cells], place, share))
+        mesh = meshes.write_exodus(bench.file(f"hemisphere_{cells}_{share}.exo"),
+                                   *meshes.make_surface([cells, cells], place, share))
         run, mean = bring_up(bench, """
 title: A pinched hemisphere
 time: {end: $end}
@@ -166,10 +170,12 @@ def shell_cylinder(bench):
         return 300 * v, 300 * np.sin(0.5 * np.pi * u), 300 * np.cos(0.5 * np.pi * u)
 
     rows = []
-    for cells, share, expected, within in ((16, 0, 0.93, 0.02), (32, 0, 0.99, 0.02), (16, 0.3, 0.91, 0.04), (32, 0.3, 0.975, 0.02)):
+    for cells, share, expected, within in ((16, 0, 0.93, 0.02), (32, 0, 0.99, 0.02), (16, 0.3, 0.91, 0.04),
+                                           (32, 0.3, 0.975, 0.02)):
         if bench.quick and cells > 16:
             continue
-        mesh = meshes.write_exodus(bench.file(f"cylinder_{cells}_{share}.exo"), *meshes.make_surface([cells, cells], place, share))
+        mesh = meshes.write_exodus(bench.file(f"cylinder_{cells}_{share}.exo"),
+                                   *meshes.make_surface([cells, cells], place, share))
         run, mean = bring_up(bench, """
 title: A pinched cylinder
 time: {end: $end}
@@ -202,7 +208,8 @@ def shell_twisted(bench):
         return 12 * u, 1.1 * (v - 0.5) * np.cos(0.5 * np.pi * u), 1.1 * (v - 0.5) * np.sin(0.5 * np.pi * u)
 
     rows = []
-    thick, thin = (0.32, 1.0, 5.0, 5.424e-3, 1.754e-3), (0.05, 1e-6, 20.0, 1.386, 0.3424)  # thickness, force, time, answers
+    # thickness, force, time, answers
+    thick, thin = (0.32, 1.0, 5.0, 5.424e-3, 1.754e-3), (0.05, 1e-6, 20.0, 1.386, 0.3424)
     for cells, beam, within in (((12, 2), thick, 0.03), ((24, 4), thick, 0.01), ((24, 4), thin, 0.01)):
         if bench.quick and cells[0] > 12:
             continue
@@ -210,8 +217,10 @@ def shell_twisted(bench):
         thickness, force, end, along, across = beam
         for axis, exact in (("z", along), ("y", across)):
             forces = "\n".join(
-                f'    - {{nodes: {{name: shell, inside: [[11.99, -0.01, {z - 0.01!r}], [12.01, 0.01, {z + 0.01!r}]]}}, force: {{{axis}: {{expression: "{force * share!r} * $growth"}}}}}}'
-                for z, share in ((1.1 * (j / cells[1] - 0.5), (0.5 if j in (0, cells[1]) else 1.0) / cells[1]) for j in range(cells[1] + 1)))
+                f'    - {{nodes: {{name: shell, inside: [[11.99, -0.01, {z - 0.01!r}], [12.01, 0.01, {z + 0.01!r}]]}}, '
+                f'force: {{{axis}: {{expression: "{force * share!r} * $growth"}}}}}}'
+                for z, share in ((1.1 * (j / cells[1] - 0.5), (0.5 if j in (0, cells[1]) else 1.0) / cells[1])
+                                 for j in range(cells[1] + 1)))
             run, mean = bring_up(bench, f"""
 title: A twisted beam
 time: {{end: $end}}
@@ -251,8 +260,10 @@ def shell_torsion(bench):
 
     rows = []
     for name, place, cells, exact, end, within in (
-            ("quarter ring", ring, (12, 4), 4.26e-3, 780.0, 0.03), ("quarter ring", ring, (24, 4), 4.26e-3, 780.0, 0.01),
-            ("quarter ring", ring, (48, 4), 4.26e-3, 780.0, 0.01), ("quarter ring", ring, (96, 4), 4.26e-3, 780.0, 0.01),
+            ("quarter ring", ring, (12, 4), 4.26e-3, 780.0, 0.03),
+            ("quarter ring", ring, (24, 4), 4.26e-3, 780.0, 0.01),
+            ("quarter ring", ring, (48, 4), 4.26e-3, 780.0, 0.01),
+            ("quarter ring", ring, (96, 4), 4.26e-3, 780.0, 0.01),
             ("hook", hook, (18, 3), 4.9352e-2, 3000.0, 0.04), ("hook", hook, (36, 6), 4.9352e-2, 3000.0, 0.01)):
         if bench.quick and cells[0] > 24:
             continue
@@ -265,7 +276,8 @@ def shell_torsion(bench):
             return f"[{[float(c) for c in low]}, {[float(c) for c in high]}]"
 
         forces = "\n".join(
-            f'    - {{nodes: {{name: shell, inside: {box(last, 20 * j / cells[1], 0.01)}}}, force: {{z: {{expression: "{0.01 * share!r} * $growth"}}}}}}'
+            f'    - {{nodes: {{name: shell, inside: {box(last, 20 * j / cells[1], 0.01)}}}, '
+            f'force: {{z: {{expression: "{0.01 * share!r} * $growth"}}}}}}'
             for j, share in ((j, (0.5 if j in (0, cells[1]) else 1.0) / cells[1]) for j in range(cells[1] + 1)))
         run, mean = bring_up(bench, f"""
 title: A curved strip twists

@@ -62,8 +62,8 @@ def check_shock(bench, which, history, target, up):
     bench.near(f"{which}: speed of the shock", BETWEEN / (second - first), target.speed(up), relative=0.01, unit="m/s")
     bench.near(f"{which}: pressure", 1e-9 * history.mean(*behind, "near_pressure"), 1e-9 * p, relative=0.01, unit="GPa")
     bench.near(f"{which}: speed of the material", history.mean(*behind, "face_vx"), up, relative=0.01, unit="m/s")
-    bench.near(f"{which}: energy per volume", 1e-6 * history.mean(*behind, "near_energy"), 0.5e-6 * target.density * up * up,
-               relative=0.01, unit="MJ/m^3")
+    bench.near(f"{which}: energy per volume", 1e-6 * history.mean(*behind, "near_energy"),
+               0.5e-6 * target.density * up * up, relative=0.01, unit="MJ/m^3")
 
 
 @case("flyer_plates", "shocks", "Flyer plates")
@@ -76,7 +76,8 @@ def flyer_plates(bench):
     for name, end in (("copper", 0.8e-6), ("aluminium", 0.7e-6), ("tantalum", 0.95e-6)):
         metal = METALS[name]
         for speed in (500.0, 1000.0):
-            h = bench.run(PLATES, flyer=metal.fluid(), target=metal.fluid(), speed=speed, end=end, viscosity=0.06).history
+            h = bench.run(PLATES, flyer=metal.fluid(), target=metal.fluid(), speed=speed, end=end,
+                          viscosity=0.06).history
             check_shock(bench, f"{name} at {speed:.0f} m/s", h, metal, speed / 2)
             if speed == 1000:
                 curves.append((name, h, metal.pressure(500)))
@@ -103,8 +104,8 @@ def flyer_strength(bench):
     front overshoots by 1 % and unloads the material by a twentieth of Y. The tolerance is 1 %, of Y for the difference."""
     metal, strength, nu = METALS["aluminium"], 300e6, 0.33
     young = 3 * (1 - 2 * nu) * metal.density * metal.c**2  # its bulk modulus is that of the equation of state
-    text = (f"{{model: j2_plasticity, density: {metal.density}, youngs_modulus: {young!r}, poissons_ratio: {nu}, yield_stress: {strength}, "
-            f"{metal.equation()}}}")
+    text = (f"{{model: j2_plasticity, density: {metal.density}, youngs_modulus: {young!r}, poissons_ratio: {nu}, "
+            f"yield_stress: {strength}, {metal.equation()}}}")
     h = bench.run(PLATES, flyer=text, target=text, speed=500.0, end=0.7e-6, viscosity=0.2).history
     eta = 1 - np.exp(-strength * (1 + nu) / young)
     limit = metal.density * metal.c**2 * eta / (1 - metal.s * eta)**2 + 2 / 3 * strength
@@ -113,11 +114,12 @@ def flyer_strength(bench):
     bench.near("elastic precursor", 1e-6 * precursor, 1e-6 * limit, relative=0.01, unit="MPa")
     behind = (first + 0.15e-6, first + 0.35e-6)
     pressure, axial = h.mean(*behind, "near_pressure"), -h.mean(*behind, "near_stress_xx")
-    bench.near("axial stress above the pressure", 1e-6 * (axial - pressure), 2e-6 / 3 * strength, absolute=1e-8 * strength, unit="MPa")
+    bench.near("axial stress above the pressure", 1e-6 * (axial - pressure), 2e-6 / 3 * strength,
+               absolute=1e-8 * strength, unit="MPa")
     c_l = np.sqrt(young * (1 - nu) / ((1 + nu) * (1 - 2 * nu)) / metal.density)
     wave, u_e = BETWEEN / (arrival - first), limit / (metal.density * c_l)
-    bench.near("axial stress by momentum through both waves", 1e-9 * axial, 1e-9 * (limit + metal.density * wave * (250 - u_e)),
-               relative=0.01, unit="GPa")
+    bench.near("axial stress by momentum through both waves", 1e-9 * axial,
+               1e-9 * (limit + metal.density * wave * (250 - u_e)), relative=0.01, unit="GPa")
 
     def draw(axes):
         axes.plot(1e6 * h["time"], -1e-9 * h["far_stress_xx"], label="axial stress, 3 mm behind the impact")
@@ -190,7 +192,8 @@ def sod(bench):
             passed = h.time_of_rise("ahead_pressure", 0.2) - h.time_of_rise("first_pressure", 0.2)
             bench.near("speed of the shock", 0.1 / passed, 1.752156, relative=0.01)
     bench.above("observed order of the L1 error of the pressure", observed_order(sizes, errors), 0.8)
-    bench.table(["elements a side", "L1 error of the pressure"], [[round(0.5 / s), f"{e:.2e}"] for s, e in zip(sizes, errors)])
+    bench.table(["elements a side", "L1 error of the pressure"],
+                [[round(0.5 / s), f"{e:.2e}"] for s, e in zip(sizes, errors)])
 
     def draw(axes):
         x = np.linspace(0, 1, 2001)
@@ -224,7 +227,8 @@ output: {history: {every: 2e-3, elements: [{name: near, near: [0.2, 0, 0]}, {nam
         arrivals[name] = h.time_of_rise(f"{name}_pressure", 0.7)
         behind = (arrivals[name] + 0.03, arrivals[name] + 0.13)
         p = h.mean(*behind, f"{name}_pressure")
-        bench.near(f"density of the gas from x = {place}", p / (2 / 3 * h.mean(*behind, f"{name}_energy")), 4.0, relative=0.05)
+        bench.near(f"density of the gas from x = {place}", p / (2 / 3 * h.mean(*behind, f"{name}_energy")), 4.0,
+                   relative=0.05)
         bench.near(f"pressure of the gas from x = {place}", p, 4 / 3, relative=0.02)
     bench.near("speed of the shock in the material", 0.2 / (arrivals["far"] - arrivals["near"]), 4 / 3, relative=0.02)
 

@@ -27,22 +27,27 @@ def softening(bench):
     on its damage evolves, and it is eroded. It then has taken s^2 / (2 E) + 0.01 s by volume and G by area, whatever its
     size. By a displacement u of 0.2 mm, G is s u / 2, and at half of u the stress is half of s."""
     rows, curve = [], None
-    for what, evolution, size in [*(("cube", "energy: 30", s) for s in (1, 2, 4)), ("cube", "displacement: 0.2", 2), ("shell", "energy: 30", 2)]:
+    for what, evolution, size in [*(("cube", "energy: 30", s) for s in (1, 2, 4)), ("cube", "displacement: 0.2", 2),
+                                  ("shell", "energy: 30", 2)]:
         thick = size if what == "cube" else 0.5
-        shape = f"box: {{size: [{size}, {size}, {size}], cells: [1, 1, 1]}}" if what == "cube" else f"shell_plate: {{size: [{size}, {size}], cells: [1, 1]}}, thickness: 0.5"
+        shape = (f"box: {{size: [{size}, {size}, {size}], cells: [1, 1, 1]}}" if what == "cube"
+                 else f"shell_plate: {{size: [{size}, {size}], cells: [1, 1]}}, thickness: 0.5")
         held = "" if what == "cube" else "  - {nodes: all, fixed: [z, rx, ry, rz]}"
-        h = bench.run(ELEMENT, end=4e-3 if "energy" in evolution else 1e-3, shape=shape, evolution=evolution, speed=200 * size, held=held).history
+        h = bench.run(ELEMENT, end=4e-3 if "energy" in evolution else 1e-3, shape=shape, evolution=evolution,
+                      speed=200 * size, held=held).history
         taken = h.last("internal") + h.last("eroded_energy")
         before = size * size * thick * (0.5 * YIELD**2 / YOUNG + 0.01 * YIELD)
         exact = ENERGY if "energy" in evolution else 0.5 * YIELD * 0.2
         name = f"{what} of {size} mm, {evolution.partition(':')[0]}"
-        bench.near(f"{name}: energy after the onset, by area", (taken - before) / (size * thick), exact, relative=5e-3, unit="N/mm")
+        bench.near(f"{name}: energy after the onset, by area", (taken - before) / (size * thick), exact, relative=5e-3,
+                   unit="N/mm")
         rows.append([name, f"{taken:.3f}", f"{before:.3f}"])
         if "displacement" in evolution:
             curve = h
     opening = (np.asarray(curve["e_eps"]) - 0.01) * 2
     half = int(np.flatnonzero(opening >= 0.1)[0])
-    bench.near("displacement: stress at half of it", float(curve["e_von_mises"][half]), YIELD * (1 - float(opening[half]) / 0.2), relative=5e-3, unit="MPa")
+    bench.near("displacement: stress at half of it", float(curve["e_von_mises"][half]),
+               YIELD * (1 - float(opening[half]) / 0.2), relative=5e-3, unit="MPa")
     bench.table(["element", "energy taken [mJ]", "of that until the onset"], rows)
 
     def draw(axes):
@@ -85,9 +90,11 @@ def glued_beams(bench):
     for cells, through in ((50, 2), (100, 4)):
         h = bench.run(BEAM, cells=cells, through=through).history
         name = f"{1e3 * 0.05 / cells:g} mm"
-        bench.near(f"{name}: force before the crack grows", h.mean(0.8e-3, 1.1e-3, "fz:pull"), 0.3 * (0.95e-3 - 2.5e-4) / compliance, relative=0.05, unit="N")
+        bench.near(f"{name}: force before the crack grows", h.mean(0.8e-3, 1.1e-3, "fz:pull"),
+                   0.3 * (0.95e-3 - 2.5e-4) / compliance, relative=0.05, unit="N")
         for start in (3e-3, 4e-3, 5e-3):
             force = h.mean(start, start + 1e-3, "fz:pull")
             reached = (force**2 * 0.3 * (start + 0.5e-3 - 2.5e-4) / of_energy) ** (2 / 3)
-            bench.near(f"{name}, {1e3 * start + 0.5:g} ms: energy of the crack", energy * reached, energy, relative=0.05, unit="J/m2")
+            bench.near(f"{name}, {1e3 * start + 0.5:g} ms: energy of the crack", energy * reached, energy,
+                       relative=0.05, unit="J/m2")
         bench.above(f"{name}: glue that has failed", 1e6 * h.last("glue_failed"), 8.0, "mm2")

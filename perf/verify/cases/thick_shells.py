@@ -103,5 +103,6 @@ silence: [single_layer]
 """, length=length, layers=layers, points=points, young=young, nu=nu, stress=stress, spin=spin).history
         share = abs(h.mean(1.8e-3, 2e-3, "my:f")) / 4 / limit
         rows.append([layers, points, f"{share:.4f}"])
-        bench.near(f"{layers} layer{'s' * (layers > 1)}, {points} points: moment over the limit", share, expected, relative=0.01 * layers)
+        bench.near(f"{layers} layer{'s' * (layers > 1)}, {points} points: moment over the limit", share, expected,
+                   relative=0.01 * layers)
     bench.table(["layers", "points in each", "moment over the limit"], rows)

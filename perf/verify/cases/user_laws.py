@@ -13,7 +13,8 @@ EXAMPLES = ROOT / "inputs" / "user_law"
 def compile_fortran(bench, name):
     """A shared library of a subroutine for Abaqus, as docs/user_laws.md says."""
     library = bench.file(f"{name}.so")
-    subprocess.run(["gfortran", "-O2", "-shared", "-fPIC", "-I", str(EXAMPLES), "-o", str(library), str(EXAMPLES / f"{name}.f")], check=True)
+    subprocess.run(["gfortran", "-O2", "-shared", "-fPIC", "-I", str(EXAMPLES), "-o", str(library),
+                    str(EXAMPLES / f"{name}.f")], check=True)
     return library
 
 
@@ -58,29 +59,40 @@ def user_laws(bench):
     copper: 0.02 %. A VUSDFLD beside a VUMAT takes stiffness away, M (1 - e / 0.2) by the logarithmic strain e, and deletes at 0.15: M (e - e^2 / 0.4) within 0.1 %, the strain within 1 %.
     Gent's rubber in C++ is compared with its energy (Gent 1996), as the built-in rubbers are: 0.1 %."""
     library = compile_fortran(bench, "neo_hookean")
-    user = bench.run(TWIST, law=f"model: user, vumat: {library}, constants: [3e6, 0.45], state_variables: 1", libraries=[library])
+    user = bench.run(TWIST, law=f"model: user, vumat: {library}, constants: [3e6, 0.45], state_variables: 1",
+                     libraries=[library])
     own = bench.run(TWIST, law="model: neo_hookean, youngs_modulus: 3e6, poissons_ratio: 0.45")
     for axis in "xyz":
-        bench.near(f"VUMAT: place of the tip, {axis}", user.history.last(f"tip_{axis}"), own.history.last(f"tip_{axis}"), relative=2e-3, unit="m")
-    bench.near("VUMAT: internal energy", user.history.last("internal"), own.history.last("internal"), relative=2e-3, unit="J")
+        bench.near(f"VUMAT: place of the tip, {axis}", user.history.last(f"tip_{axis}"),
+                   own.history.last(f"tip_{axis}"), relative=2e-3, unit="m")
+    bench.near("VUMAT: internal energy", user.history.last("internal"), own.history.last("internal"),
+               relative=2e-3, unit="J")
     library = compile_fortran(bench, "johnson_cook")
-    user = bench.run(BAR, law=f"model: user_hardening, vuhard: {library}, constants: [90e6, 292e6, 0.31, 0.025, 1.09, 1356, 293, 1], start_temperature: 293, specific_heat: 383", libraries=[library])
-    own = bench.run(BAR, law="model: johnson_cook, a: 90e6, b: 292e6, n: 0.31, c: 0.025, m: 1.09, melt_temperature: 1356, start_temperature: 293, room_temperature: 293, reference_rate: 1, specific_heat: 383")
-    for name, column in (("radius of the foot", "foot_x"), ("length", "end_z"), ("strain in the foot", "e_eps"), ("temperature in the foot", "e_temperature")):
+    user = bench.run(BAR, law=f"model: user_hardening, vuhard: {library}, constants: [90e6, 292e6, 0.31, 0.025, 1.09, "
+                              "1356, 293, 1], start_temperature: 293, specific_heat: 383", libraries=[library])
+    own = bench.run(BAR,
+                    law="model: johnson_cook, a: 90e6, b: 292e6, n: 0.31, c: 0.025, m: 1.09, melt_temperature: 1356, "
+                        "start_temperature: 293, room_temperature: 293, reference_rate: 1, specific_heat: 383")
+    for name, column in (("radius of the foot", "foot_x"), ("length", "end_z"), ("strain in the foot", "e_eps"),
+                         ("temperature in the foot", "e_temperature")):
         bench.near(f"VUHARD: {name}", user.history.last(column), own.history.last(column), relative=2e-4)
-    bench.table(["", "run time of the user's law [s]", "of the built-in law [s]"], [["Taylor bar", f"{user.cpu:.1f}", f"{own.cpu:.1f}"]])
+    bench.table(["", "run time of the user's law [s]", "of the built-in law [s]"],
+                [["Taylor bar", f"{user.cpu:.1f}", f"{own.cpu:.1f}"]])
     library = compile_fortran(bench, "softening")
     h = bench.run(SOFT, library=library, libraries=[library]).history
     strain, modulus = np.log(1 + 100 * h["time"]), 2e9 * (1 - 0.25) / ((1 + 0.25) * (1 - 0.5))
     last = int(np.max(np.flatnonzero(h["e_stress_xx"])))
-    bench.near("VUSDFLD: stress before the deletion", float(h["e_stress_xx"][last]), modulus * (strain[last] - strain[last]**2 / 0.4), relative=1e-3, unit="Pa")
+    bench.near("VUSDFLD: stress before the deletion", float(h["e_stress_xx"][last]),
+               modulus * (strain[last] - strain[last]**2 / 0.4), relative=1e-3, unit="Pa")
     bench.near("VUSDFLD: strain of the deletion", float(strain[last]), 0.15, relative=1e-2)
     library = bench.file("gent.so")
-    subprocess.run([str(bench.options.percuss), "build-law", str(EXAMPLES / "gent.hpp"), "--out", str(library)], check=True, capture_output=True)
+    subprocess.run([str(bench.options.percuss), "build-law", str(EXAMPLES / "gent.hpp"), "--out", str(library)],
+                   check=True, capture_output=True)
     law = f"model: library, law: {library}, constants: {{shear_modulus: 0.4, limit: 40, bulk_modulus: 100}}"
 
     def gent(b):
         return -0.4 * 40 / 2 * np.log(1 - (np.sum(b**2) - 3) / 40)
 
     for mode, stretch in (("tension", 5.0), ("two directions", 3.0), ("pure shear", 4.0)):
-        bench.near(f"C++, Gent: {mode} to {stretch:g}", pull(bench, law, stretch, mode, libraries=[library]), find_force(gent, stretch, mode), relative=1e-3, unit="MPa")
+        bench.near(f"C++, Gent: {mode} to {stretch:g}", pull(bench, law, stretch, mode, libraries=[library]),
+                   find_force(gent, stretch, mode), relative=1e-3, unit="MPa")

@@ -35,21 +35,25 @@ def bar_waves(bench):
     travel = h.time_of_rise("b_von_mises", level) - h.time_of_rise("a_von_mises", level)
     bench.near("on rollers: speed of the front", 1 / travel, dilatational, relative=2e-3, unit="m/s")
     bench.near("on rollers: stress along", h.at(2.8e-4, "a_stress_xx"), -stress, relative=1e-3, unit="Pa")
-    bench.near("on rollers: stress across", h.at(2.8e-4, "a_stress_yy"), -stress * nu / (1 - nu), relative=1e-3, unit="Pa")
+    bench.near("on rollers: stress across", h.at(2.8e-4, "a_stress_yy"), -stress * nu / (1 - nu),
+               relative=1e-3, unit="Pa")
     bench.near("on rollers: speed of the material", h.at(2.8e-4, "n_vx"), 1, relative=1e-3, unit="m/s")
     bench.below("on rollers: energy balance, largest error", h.largest("energy_error"), 1e-3)
     slender = bench.run(PUSHED, rollers="").history
     stress = DENSITY * SPEED
     travel = slender.time_of_rise("b_von_mises", stress / 3) - slender.time_of_rise("a_von_mises", stress / 3)
     bench.near("slender: speed of the front", 1 / travel, SPEED, relative=2e-3, unit="m/s")
-    bench.near("slender: mean stress along", slender.mean(1.5e-4, 3.9e-4, "a_stress_xx"), -stress, relative=5e-3, unit="Pa")
-    bench.near("slender: mean speed of the material", slender.mean(1.5e-4, 3.9e-4, "n_vx"), 1, relative=5e-3, unit="m/s")
+    bench.near("slender: mean stress along", slender.mean(1.5e-4, 3.9e-4, "a_stress_xx"), -stress,
+               relative=5e-3, unit="Pa")
+    bench.near("slender: mean speed of the material", slender.mean(1.5e-4, 3.9e-4, "n_vx"), 1, relative=5e-3,
+               unit="m/s")
     bench.below("slender: energy balance, largest error", slender.largest("energy_error"), 1e-3)
 
     def draw(axes):
         for name, table, speed in (("slender", slender, SPEED), ("rollers", h, dilatational)):
             for station, x in (("a", 0.505), ("b", 1.505)):
-                axes.plot(*thin(1e6 * table["time"], -1e-6 * table[f"{station}_stress_xx"], 300), label=f"{name}, x = {x:.1f} m")
+                axes.plot(*thin(1e6 * table["time"], -1e-6 * table[f"{station}_stress_xx"], 300),
+                          label=f"{name}, x = {x:.1f} m")
                 axes.axvline(1e6 * x / speed, **plots.EXACT)
         axes.set(xlabel="time [us]", ylabel="pressure along [MPa]")
         axes.legend(fontsize=7)
@@ -74,7 +78,8 @@ def sum_series(x, t, terms=4000):
     """Displacement of a bar of length 1, fixed at x = 0, whose nodes start at 1 m/s."""
     n = 2 * np.arange(1, terms + 1) - 1
     x, t = np.broadcast_arrays(np.asarray(x, dtype=float)[..., None], np.asarray(t, dtype=float)[..., None])
-    return np.sum(8 / (SPEED * np.pi**2 * n**2) * np.sin(n * np.pi / 2 * SPEED * t) * np.sin(n * np.pi / 2 * x), axis=-1)
+    return np.sum(8 / (SPEED * np.pi**2 * n**2) * np.sin(n * np.pi / 2 * SPEED * t) * np.sin(n * np.pi / 2 * x),
+                  axis=-1)
 
 
 def move_slabs(cells, speed):
@@ -106,14 +111,17 @@ def velocity_step(bench):
     bench.below("200 elements: end, largest error over V L / c", np.abs(h["end_x"] - 1 - exact).max() * SPEED, 0.01)
     bench.below("200 elements: middle, largest error over V L / c",
                 np.abs(h["middle_x"] - 0.5 - sum_series(0.5, h["time"])).max() * SPEED, 0.01)
-    bench.near("observed order of the L2 error in h (step in proportion)", observed_order(sizes, norms), 1.0, absolute=0.25)
-    bench.table(["elements", "L2 error of the end over V L / c"], [[f"{1 / s:.0f}", f"{n:.2e}"] for s, n in zip(sizes, norms)])
+    bench.near("observed order of the L2 error in h (step in proportion)", observed_order(sizes, norms), 1.0,
+               absolute=0.25)
+    bench.table(["elements", "L2 error of the end over V L / c"],
+                [[f"{1 / s:.0f}", f"{n:.2e}"] for s, n in zip(sizes, norms)])
 
     def draw(axes):
         axes.plot(h["time"] * SPEED, exact * SPEED, label="series", **plots.EXACT)
         axes.plot(h["time"][::8] * SPEED, (h["end_x"][::8] - 1) * SPEED, ".", markersize=3, label="end, 200 elements")
         axes.plot(h["time"] * SPEED, sum_series(0.5, h["time"]) * SPEED, **plots.EXACT)
-        axes.plot(h["time"][::8] * SPEED, (h["middle_x"][::8] - 0.5) * SPEED, ".", markersize=3, label="middle, 200 elements")
+        axes.plot(h["time"][::8] * SPEED, (h["middle_x"][::8] - 0.5) * SPEED, ".", markersize=3,
+                  label="middle, 200 elements")
         axes.set(xlabel="time over L / c", ylabel="displacement over V L / c")
         axes.legend()
 
@@ -149,8 +157,10 @@ def wave_order(bench):
     time = [measure(8, dt, discrete_frequency(8)) for dt in steps]
     bench.near("observed order in space", observed_order([1 / n for n in meshes], space), 2.0, absolute=0.05)
     bench.near("observed order in time", observed_order(steps, time), 2.0, absolute=0.05)
-    for name, heading, sizes, errors in (("space", "elements", meshes, space), ("time", "steps", [end / dt for dt in steps], time)):
-        orders = [""] + [f"{np.log(a / b) / np.log(s / r):.3f}" for a, b, r, s in zip(errors, errors[1:], sizes, sizes[1:])]
+    for name, heading, sizes, errors in (("space", "elements", meshes, space),
+                                         ("time", "steps", [end / dt for dt in steps], time)):
+        orders = [""] + [f"{np.log(a / b) / np.log(s / r):.3f}"
+                         for a, b, r, s in zip(errors, errors[1:], sizes, sizes[1:])]
         bench.table([heading, f"L2 error over the amplitude ({name})", "order"],
                     [[f"{s:.0f}", f"{e:.3e}", o] for s, e, o in zip(sizes, errors, orders)])
 

@@ -47,13 +47,15 @@ def zener_plate(bench):
     rows, curves = [], []
     for thickness, size in ((0.005, 0.08), (0.012, 0.12)):
         ball = meshes.write_exodus(bench.file("ball.exo"), *meshes.quarter_ball(bench, RADIUS, 12, 0.85))
-        h = bench.run(ZENER, end=9e-5, ball=ball, height=RADIUS + 0.5 * thickness + 1e-7, size=size, cells=24, thickness=thickness).history
+        h = bench.run(ZENER, end=9e-5, ball=ball, height=RADIUS + 0.5 * thickness + 1e-7, size=size, cells=24,
+                      thickness=thickness).history
         momentum = h["momentum_z:ball"]
         mass = -4 * momentum[0] / 3
         stiffness = 4 / 3 * YOUNG / (1 - NU**2) * np.sqrt(RADIUS)
         bending = YOUNG * thickness**3 / (12 * (1 - NU**2))
         times, force, speed = follow_zener(stiffness, mass, 1 / (8 * np.sqrt(bending * 7850 * thickness)), 3.0, 9e-5)
-        rows.append((thickness, -float(speed[-1]) / 3, float(momentum[-1] / -momentum[0]), float(force.max()), 4 * float(h["fz:joint"].max())))
+        rows.append((thickness, -float(speed[-1]) / 3, float(momentum[-1] / -momentum[0]), float(force.max()),
+                     4 * float(h["fz:joint"].max())))
         name = f"{1e3 * thickness:g} mm"
         bench.near(f"{name}: restitution", rows[-1][2], rows[-1][1], absolute=0.04)
         bench.near(f"{name}: largest force", rows[-1][4], rows[-1][3], relative=0.05, unit="N")

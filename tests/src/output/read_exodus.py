@@ -80,10 +80,12 @@ class Vtk(unittest.TestCase):
                 x0 = {tuple(p): i for i, p in enumerate(cube() + [10 * part, 0, 0])}
                 order = [x0[tuple(p)] for p in np.round(x, 12)]
                 self.assertEqual(sorted(order), list(range(len(x0))))
-                nodes = {block.GetPointData().GetArrayName(i).rstrip("_"): vtk_to_numpy(block.GetPointData().GetArray(i))
+                nodes = {block.GetPointData().GetArrayName(i)
+                         .rstrip("_"): vtk_to_numpy(block.GetPointData().GetArray(i))
                          for i in range(block.GetPointData().GetNumberOfArrays())}
                 np.testing.assert_allclose(
-                    nodes["displacement"], np.column_stack([t * x[:, 1], 0 * x[:, 0] + t / 3, 0 * x[:, 0] - t * t]), atol=1e-15)
+                    nodes["displacement"], np.column_stack([t * x[:, 1], 0 * x[:, 0] + t / 3, 0 * x[:, 0] - t * t]),
+                    atol=1e-15)
                 np.testing.assert_array_equal(
                     nodes["velocity"],
                     np.column_stack([x[:, 1] + frame, np.full(len(x), 1 / 3), np.full(len(x), -2 * t)]))

@@ -156,14 +156,16 @@ class EveryPartThroughXdmf2(Xdmf):
             for frame, step in enumerate(part.findall("Grid")):
                 wanted = {name: np.split(values, 2)[number] for name, values in expected(frame).items()}
                 stress = wanted.pop("stress")
-                wanted.update({f"stress_{axes}": stress[:, [c]] for c, axes in enumerate(("xx", "yy", "zz", "xy", "yz", "zx"))})
+                wanted.update({f"stress_{axes}": stress[:, [c]]
+                               for c, axes in enumerate(("xx", "yy", "zz", "xy", "yz", "zx"))})
                 points = self.resolve(step.find("Geometry/DataItem"))
                 np.testing.assert_array_equal(points, wanted.pop("points"))
                 found = {a.get("Name"): a for a in step.findall("Attribute")}
                 names = {name: name + (f" [{units[name]}]" if name in units else "") for name in wanted}
                 self.assertEqual(set(found), set(names.values()))
                 for name, values in wanted.items():
-                    np.testing.assert_array_equal(self.resolve(found[names[name]].find("DataItem")), values, err_msg=name)
+                    np.testing.assert_array_equal(self.resolve(found[names[name]].find("DataItem")), values,
+                                                  err_msg=name)
 
     def test_has_the_cells_by_the_nodes_of_the_part(self):
         for part in self.parts:

@@ -114,7 +114,8 @@ class Render(unittest.TestCase):
             nodes = int(file["VTKHDF/NumberOfPoints"][0])
             file["VTKHDF/PointData/contact_rank"] = np.repeat([-1.0, 1.0], nodes // 2)  # the left cube has none
             file["VTKHDF/Steps/PointDataOffsets/contact_rank"] = np.zeros(3, dtype=int)
-        done = self.render("--edges", "off", "--field", "contact_rank", "--frame", "0", "--view", "-90:10", folder=folder)
+        done = self.render("--edges", "off", "--field", "contact_rank", "--frame", "0", "--view", "-90:10",
+                           folder=folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         picture = self.picture("frame_0000.png")
         self.assertTrue((picture[:, 270:].max(axis=2) - picture[:, 270:].min(axis=2) > 20).any(), "there is a legend")
@@ -196,7 +197,8 @@ class Render(unittest.TestCase):
         picture = self.draw(*options, "--mirror", f"x={low}")[40:-25].astype(float)
         drawn = picture.min(axis=2) < 245
         first, last = np.flatnonzero(drawn.any(axis=0))[[0, -1]]
-        left, right = (picture[:, side][drawn[:, side]].mean() for side in (slice(0, (first + last) // 2), slice((first + last) // 2, None)))
+        left, right = (picture[:, side][drawn[:, side]].mean()
+                       for side in (slice(0, (first + last) // 2), slice((first + last) // 2, None)))
         self.assertAlmostEqual(left / right, 1, delta=0.25, msg="the mirrored half is lit from outside")
         done = self.render("--frame", "0", "--mirror")
         self.assertEqual(done.returncode, 2)
@@ -307,7 +309,8 @@ class Render(unittest.TestCase):
             with open(os.path.join(fakes, "dpkg-query"), "w", encoding="utf-8") as file:
                 file.write(f"#!/bin/sh\nprintf {status}\n")
             os.chmod(file.name, 0o755)
-            environment = dict(os.environ, PYTHONPATH=f"{fakes}:{os.environ['PYTHONPATH']}", PATH=fakes + ":" + os.environ["PATH"])
+            environment = dict(os.environ, PYTHONPATH=f"{fakes}:{os.environ['PYTHONPATH']}",
+                               PATH=fakes + ":" + os.environ["PATH"])
             done = subprocess.run([*RENDER, FOLDER], capture_output=True, text=True, timeout=120, env=environment)
             self.assertEqual(done.returncode, 2)
             self.assertIn("run scripts/install_dependencies --render", done.stderr)

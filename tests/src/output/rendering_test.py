@@ -42,7 +42,8 @@ class Wall(unittest.TestCase):
         normal = np.array([-0.8, 0, 0.6])
         plate = span_wall(np.array([1.0, 0, 0]), normal, None, np.array([[-1.0, -2, 0], [1, 2, 3]]))[np.newaxis]
         walls = mirror_walls([(plate, (np.array([1.0, 0, 0]), normal))], [(0, 0.0), (1, 0.0)])
-        self.assertEqual([image is None for image, _ in walls], [False, False, True, True])  # it is its own image across y
+        # it is its own image across y
+        self.assertEqual([image is None for image, _ in walls], [False, False, True, True])
         image, (point, turned) = walls[1]
         np.testing.assert_allclose(turned, [0.8, 0, 0.6])
         np.testing.assert_allclose(point, [-1, 0, 0])
@@ -133,7 +134,8 @@ class Bar(unittest.TestCase):
         self.assertEqual(low, 0)
         self.assertAlmostEqual(high, 1, delta=0.02)
         self.assertEqual(find_typical_ends([np.append(body, 1.2)]), (0, 1.2))  # not far above
-        self.assertEqual(find_typical_ends([np.append(np.zeros(2000), [1.0, 2.0])]), (0, 2))  # few that are more than small
+        # few that are more than small
+        self.assertEqual(find_typical_ends([np.append(np.zeros(2000), [1.0, 2.0])]), (0, 2))
         self.assertEqual(find_typical_ends([body], 100), (0, 1))
         self.assertAlmostEqual(find_typical_ends([body, body / 2], 90)[1], 0.9)
         self.assertEqual(find_typical_ends([-body]), (-1, 0))
@@ -161,7 +163,8 @@ class Units(unittest.TestCase):
 
 
 class Box:
-    """A mesh of cells of 0.5 x 1 x 1 from the origin, 2 x 3 x 2 of them, and a shell across it at y = 4, as Fields has it."""
+    """A mesh of cells of 0.5 x 1 x 1 from the origin, 2 x 3 x 2 of them,
+    and a shell across it at y = 4, as Fields has it."""
 
     def __init__(self):
         z, y, x = np.meshgrid(np.arange(3), np.arange(4), np.arange(3), indexing="ij")
@@ -198,7 +201,8 @@ class SkinOfACutMesh(unittest.TestCase):
         return sum(area @ face[0] for area, face in zip(area_vectors(faces), faces)) / 3
 
     def test_is_closed_outward_and_holds_the_volume_that_stays(self):
-        for clip, volume in ((None, 6), (("+", 0, 0.3), 1.8), (("-", 0, 0.3), 4.2), (("+", 1, 1.0), 2), (("-", 1, 1.0), 4),
+        for clip, volume in ((None, 6), (("+", 0, 0.3), 1.8), (("-", 0, 0.3), 4.2), (("+", 1, 1.0), 2),
+                             (("-", 1, 1.0), 4),
                              (("+", 2, 1.9), 5.7), (("-", 2, 2.0), 0)):
             skin = self.skin(clip)
             points = skin.at_points(self.box.nodes)
