@@ -5,6 +5,7 @@ The d3plot files are read by a reader of this file, from the layout that Livermo
 import csv
 import json
 import os
+import re
 import subprocess
 import tempfile
 import unittest
@@ -300,7 +301,7 @@ class Export(unittest.TestCase):
         self.assertEqual(parse_frames("0..-1:2,-1", 6), [0, 2, 4, 5])
         self.assertEqual(parse_frames("all", 3), [0, 1, 2])
         for text in ("6", "x", "0..9", "3..1", "", "1..2:0"):
-            with self.assertRaises(NotResults, msg=text):
+            with self.assertRaisesRegex(NotResults, f"'{re.escape(text)}' names no frame", msg=text):
                 parse_frames(text, 6)
 
     def test_wrong_words_have_a_clear_one(self):

@@ -91,11 +91,11 @@ class Writing(OfAFolder):
             raise ValueError("no more")
 
         self.put("whole")
-        with self.assertRaises(ValueError):
+        with self.assertRaisesRegex(ValueError, "no more"):
             write_file(self.path, fail(), "report", force=True)
         self.assertEqual(self.read(), "whole")
         self.assertEqual(os.listdir(self.folder), ["page.html"])
-        with self.assertRaises(OSError):
+        with self.assertRaises(FileNotFoundError):
             write_file(os.path.join(self.folder, "no", "page.html"), "a page", "report")
 
 
@@ -134,11 +134,14 @@ class Loading(OfAFolder):
             self.assertTrue(str(caught.exception).startswith(self.path + ": "))
 
     def test_refuses_what_is_no_json(self):
-        for text in ("", "{", "[" * 200000, "\x00\xff", '{"name": "a"', "nul", "[1, 2]", "7"):
-            with self.assertRaises(NotResults):
+        for text in ("", "{", "[" * 200000, "\x00\xff", '{"name": "a"', "nul"):
+            with self.assertRaisesRegex(NotResults, "this is no JSON"):
                 self.load(text)
-        for path in (self.folder, os.path.join(self.folder, "nothing.json"), "a\x00b"):
-            with self.assertRaises(NotResults):
+        for text in ("[1, 2]", "7"):
+            with self.assertRaisesRegex(NotResults, "it is not an object"):
+                self.load(text)
+        for path, words in ((self.folder, "no regular file"), (os.path.join(self.folder, "nothing.json"), "No such file"), ("a\x00b", "null byte")):
+            with self.assertRaisesRegex(NotResults, words):
                 load_json(path, SHAPE)
 
 

@@ -212,7 +212,7 @@ class Plot(unittest.TestCase):
         self.assertEqual(two.columns[0], "dt")
         self.assertEqual(column.columns, ["contact"])
         self.assertNotIn("erosion", list_panels(histories))
-        with self.assertRaises(BadChoice):
+        with self.assertRaisesRegex(BadChoice, "nothing:"):
             choose_panels(["nothing:*"], histories)
 
     def test_curves_are_filtered_and_cut(self):

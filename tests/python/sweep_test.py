@@ -49,11 +49,13 @@ class Designs(unittest.TestCase):
         self.assertEqual([str(d) for d in cross([parse_factor("a=1,2"), parse_factor("b=x,y")])], ["a=1, b=x", "a=1, b=y", "a=2, b=x", "a=2, b=y"])
 
     def test_wrong_ones_have_a_word(self):
-        for text in ("a", "a=", "=3", "a=1,,2", "a=1,1", "a=9..5:3", "a=-1..5:3:log", "a=1..2:1", "a=1..2:x", "a=0..3:9:int", "a b=1"):
-            with self.assertRaises(BadDesign, msg=text):
+        for text, words in (("a", "no key with values"), ("a=", "no key with values"), ("=3", "no key with values"), ("a=1,,2", "an empty value"), ("a=1,1", "a value twice"),
+                            ("a=9..5:3", "LOW below HIGH"), ("a=-1..5:3:log", "must be above zero"), ("a=1..2:1", "the count must be 2 to"), ("a=1..2:x", "is no range"),
+                            ("a=0..3:9:int", "fewer values than its count"), ("a b=1", "no key with values")):
+            with self.assertRaisesRegex(BadDesign, words, msg=text):
                 parse_factor(text)
-        for factors in (["a=1", "a=2"], ["a=1..2"], ["a=0..1:2000", "b=0..1:2000"]):
-            with self.assertRaises(BadDesign, msg=factors):
+        for factors, words in ((["a=1", "a=2"], "'a' varies twice"), (["a=1..2"], "a range without a count"), (["a=0..1:2000", "b=0..1:2000"], "more than 10000 designs")):
+            with self.assertRaisesRegex(BadDesign, words, msg=factors):
                 cross([parse_factor(text) for text in factors])
 
     @unittest.skipUnless(scipy, "SciPy is not here")
@@ -70,7 +72,7 @@ class Designs(unittest.TestCase):
         self.assertNotEqual([d.inputs for d in sample(factors, "lhs:20", 4)], [d.inputs for d in designs])
         sobol = np.array([float(d.inputs["a"]) for d in sample(factors[:2], "sobol:16")])
         self.assertEqual(sorted((1.6 * (sobol - 10)).astype(int)), list(range(16)))  # a net: one in each sixteenth
-        with self.assertRaises(BadDesign):
+        with self.assertRaisesRegex(BadDesign, "neither lhs:N nor sobol:N"):
             sample(factors, "grid:3")
 
     def test_a_table_of_designs(self):
