@@ -1,5 +1,6 @@
 #pragma once
-// How a run comes to its state at time 0: dynamic relaxation under the loads of that time, and preloads of sections.
+// How a run comes to its state at time 0: dynamic relaxation under the loads of that time, preloads of sections, states
+// from files, fluids at rest.
 
 #include <array>
 #include <optional>
@@ -43,8 +44,17 @@ struct StartFieldsDeck {
   Place place;
 };
 
+/// Fluids that begin at rest: with the pressure of what stands above them in the gravity of time 0.
+struct HydrostaticDeck {
+  std::vector<std::string> parts;
+  Vec3 surface{};       // a point of the free surface, which lies across gravity
+  double pressure = 0;  // on it
+  Place place;
+};
+
 struct StartDeck {
   std::optional<RelaxationDeck> relaxation;
+  std::vector<HydrostaticDeck> hydrostatic;
   std::vector<PreloadDeck> preloads;
   std::vector<StartFieldsDeck> fields;
 };

@@ -1,6 +1,7 @@
 #include "src/deck/loads/start_keys.hpp"
 
 #include "src/deck/keys/file_value.hpp"
+#include "src/deck/laws/fluid_at_rest.hpp"
 #include "src/deck/laws/law_traits.hpp"
 
 namespace percuss {
@@ -63,9 +64,25 @@ bool note_fields_place(const Reader&, const Node& node, StartFieldsDeck& fields)
   return true;
 }
 
+const Keys<HydrostaticDeck>& hydrostatic_keys() {
+  static const Keys<HydrostaticDeck> keys = {
+      need("parts", &HydrostaticDeck::parts, ListValue<PartNameValue>{}),
+      need("surface", &HydrostaticDeck::surface, vector3()),
+      may("pressure", &HydrostaticDeck::pressure, NumberValue{not_negative}),
+  };
+  return keys;
+}
+
+bool note_hydrostatic_place(const Reader&, const Node& node, HydrostaticDeck& hydrostatic) {
+  hydrostatic.place = node.spot.place;
+  return true;
+}
+
 const Keys<StartDeck>& start_keys() {
   static const Keys<StartDeck> keys = {
       may("relaxation", &StartDeck::relaxation, MapValue<RelaxationDeck>{relaxation_keys}),
+      may("hydrostatic", &StartDeck::hydrostatic,
+          ListValue<MapValue<HydrostaticDeck>>{{hydrostatic_keys, note_hydrostatic_place}}),
       may("fields", &StartDeck::fields, ListValue<MapValue<StartFieldsDeck>>{{start_fields_keys, note_fields_place}}),
       may("preload", &StartDeck::preloads,
           NamedMapValue<PreloadDeck, MapValue<PreloadDeck>>{"preload", {preload_keys, check_plane}}),
@@ -83,11 +100,45 @@ bool check_preloads(const Reader& reader, const Node& node, StartDeck& start) {
   return false;
 }
 
+/// Why a part cannot begin as a fluid at rest; empty: it can. Names that are wrong are reported already.
+std::string find_obstacle(const Deck& deck, const HydrostaticDeck& hydrostatic, const std::string& name) {
+  if (name.empty()) return "all is given (must be parts by their names): name the fluids";
+  const auto part = std::find_if(deck.parts.begin(), deck.parts.end(), [&](const auto& of) { return of.name == name; });
+  if (part == deck.parts.end()) return "";
+  const auto material = std::find_if(deck.materials.begin(), deck.materials.end(),
+                                     [&](const MaterialDeck& of) { return of.name == part->material; });
+  if (material == deck.materials.end()) return "";
+  const std::string of_material = fmt::format("part '{}' of material '{}'", name, part->material);
+  if (part->rigid || !find_traits(*material).needs_equation_of_state || !material->equation_of_state)
+    return of_material + " is no fluid (only a fluid has the pressure of its depth everywhere): leave it out";
+  if (can_rest(*material, hydrostatic.pressure)) return "";
+  return fmt::format("{} cannot rest with the pressure {:g} (its equation of state does not reach it without heat): {}",
+                     of_material, hydrostatic.pressure, "give pressure, the pressure on its surface, or leave it out");
+}
+
+void check_hydrostatic(const Deck& deck, const Node& root, Reading& reading) {
+  if (!reading.errors.empty()) return;  // equations of state are evaluated
+  std::vector<std::string> known;
+  for (const HydrostaticDeck& hydrostatic : deck.start.hydrostatic) {
+    for (const std::string& name : hydrostatic.parts) {
+      std::string why = find_obstacle(deck, hydrostatic, name);
+      if (std::find(known.begin(), known.end(), name) != known.end())
+        why = fmt::format("part '{}' is named twice (it has one surface): leave one out", name);
+      known.push_back(name);
+      if (!why.empty()) reading.errors.add({hydrostatic.place}, "start.hydrostatic: " + why);
+    }
+  }
+  if (deck.start.hydrostatic.empty() || deck.gravity.at(0) != Vec3{}) return;
+  reading.errors.add(root.find("start")->find("hydrostatic")->key,
+                     "start.hydrostatic has no effect (loads.gravity is 0 at time 0): give gravity, or leave it out");
+}
+
 }  // namespace
 
 MapValue<StartDeck> start_value() { return {start_keys, check_preloads}; }
 
 void check_start(const Deck& deck, const Node& root, Reading& reading) {
+  check_hydrostatic(deck, root, reading);
   for (const PreloadDeck& preload : deck.start.preloads) {
     const Node& given = *root.find("start")->find("preload")->find(preload.name);
     if (given.find("part") == nullptr || given.find("force") == nullptr) continue;  // which is reported already

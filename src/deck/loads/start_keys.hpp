@@ -1,5 +1,5 @@
 #pragma once
-// Keys of `start`: relaxation, preloads and fields of files.
+// Keys of `start`: relaxation, fluids at rest, preloads and fields of files.
 
 #include "src/deck/deck.hpp"
 #include "src/deck/keys/keys.hpp"
@@ -8,7 +8,7 @@ namespace percuss {
 
 MapValue<StartDeck> start_value();
 
-/// Preloads of parts that can have them.
+/// Preloads and hydrostatic pressures of parts that can have them.
 void check_start(const Deck& deck, const Node& root, Reading& reading);
 
 }  // namespace percuss

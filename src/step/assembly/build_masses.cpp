@@ -16,6 +16,7 @@
 #include "src/step/elements/build_beams.hpp"
 #include "src/step/elements/build_shells.hpp"
 #include "src/step/elements/element_mass.hpp"
+#include "src/step/fluids/hydrostatic.hpp"
 #include "src/step/mass/mass_scaling.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
@@ -97,6 +98,7 @@ void build_inertia(const Deck& deck, const Mesh& mesh, std::vector<double> eleme
 
 std::vector<double> build_masses(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
   const Mesh& mesh = chunked.mesh;
+  check_surfaces(deck, mesh);
   std::vector<double> element_mass(mesh.elements.size());
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) element_mass[e] = find_element_mass(deck, mesh, e);
   if constexpr (is_single_precision) check_single_precision(deck, chunked, element_mass);

@@ -2,6 +2,7 @@
 
 #include "kernels/element/hex8/modes.hpp"
 #include "src/mesh/hex_geometry.hpp"
+#include "src/step/fluids/hydrostatic.hpp"
 
 namespace percuss {
 namespace {
@@ -28,7 +29,9 @@ double find_kernel_volume(const Mesh& mesh, std::size_t element) {
 
 double find_element_mass(const Deck& deck, const Mesh& mesh, std::size_t element) {
   const auto material = static_cast<std::size_t>(mesh.block_of(element).material);
-  return deck.materials[material].density * find_kernel_volume(mesh, element);
+  const double mass = deck.materials[material].density * find_kernel_volume(mesh, element);
+  const auto pressed = find_hydrostatic_state(deck, mesh, element);
+  return pressed ? mass / pressed->j : mass;
 }
 
 }  // namespace percuss

@@ -6,7 +6,8 @@
 
 namespace percuss {
 
-/// Density times volume at the start, without what mass scaling adds.
+/// Density times volume at the start, of fluids at rest over what they are compressed to, without what mass scaling
+/// adds.
 double find_element_mass(const Deck& deck, const Mesh& mesh, std::size_t element);
 
 }  // namespace percuss

@@ -21,7 +21,7 @@ ChunkRows list_rows(const Model& model, const HostMirror<Array<int>>& first) {
 }  // namespace
 
 FluidStage::FluidStage(const Deck& deck, const ChunkedMesh& chunked, const Model& model)
-    : begins_at_rest_(deck.start.relaxation.has_value()),
+    : begins_at_rest_(deck.start.relaxation.has_value() || !deck.start.hydrostatic.empty()),
       chunked_(chunked),
       model_(model),
       velocity_("percuss::fluid_velocities", at(to_host(model.fluids.first_element)(at(model.fluids.count())))),

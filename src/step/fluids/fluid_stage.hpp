@@ -26,7 +26,7 @@ class FluidStage : public Action {
  private:
   static constexpr int chunks_of_a_block = 128;
 
-  const bool begins_at_rest_;  // after a relaxation; else without pressure, so that all begins to fall
+  const bool begins_at_rest_;  // after a relaxation or with its pressure; else without, so that all begins to fall
   const ChunkedMesh& chunked_;
   const Model& model_;
   double dt_mean_ = 0;      // of the step

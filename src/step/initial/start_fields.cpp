@@ -19,6 +19,7 @@
 #include "src/fail_together.hpp"
 #include "src/index.hpp"
 #include "src/mesh/reading/results_reader.hpp"
+#include "src/step/fluids/hydrostatic.hpp"
 #include "src/step/initial/start_mesh_tables.hpp"
 #include "src/step/initial/start_records.hpp"
 #include "src/step/model/whole_mesh.hpp"
@@ -219,6 +220,17 @@ class TableSetter {
   std::string obstacle_;
 };
 
+/// Gives fluids at rest their pressure.
+void press_fluids(StartTarget& target) {
+  const ChunkedMesh& chunked = target.chunked;
+  for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
+    const int first = chunked.chunks[c].first_element, end = first + chunked.chunks[c].element_count;
+    for (int e = first; e < end; ++e)
+      if (const auto pressed = find_hydrostatic_state(target.deck, chunked.mesh, at(e)))
+        target.work(c, 0) += target.records.press({static_cast<int>(c), e, {}}, *pressed);
+  }
+}
+
 /// velocity, is_rigid: as of set_start_velocities().
 void set_velocities_of(const Deck& deck, const ChunkedMesh& chunked, const StartFieldsDeck& fields,
                        const StartPiece& piece, const std::vector<char>& is_rigid, std::vector<Vec3>& velocity) {
@@ -255,7 +267,7 @@ void set_start_velocities(const Deck& deck, const ChunkedMesh& chunked, const st
 
 std::vector<Warning> set_start_states(const Deck& deck, const ChunkedMesh& chunked, const Model& model, State& state) {
   std::vector<Warning> warnings;
-  if (deck.start.fields.empty()) return warnings;
+  if (deck.start.fields.empty() && deck.start.hydrostatic.empty()) return warnings;
   StartTarget target{deck,
                      chunked,
                      model,
@@ -276,6 +288,7 @@ std::vector<Warning> set_start_states(const Deck& deck, const ChunkedMesh& chunk
       setter.finish();
     }
   }
+  press_fluids(target);
   target.records.give_back(state);
   copy_values(state.results.work, target.work);
   return warnings;

@@ -15,10 +15,11 @@ namespace percuss {
 void set_start_velocities(const Deck& deck, const ChunkedMesh& chunked, const std::vector<char>& is_rigid,
                           std::vector<Vec3>& velocity);
 
-/// Sets the stresses, plastic strains and temperatures of the elements that files name, in a state at time 0. Books
-/// their elastic energy as internal energy. Collective. Throws likewise: an id that is not there, a rigid part, a beam;
-/// a stress of a material whose stress does not grow in increments, a history that the material does not have; a
-/// temperature at which its law may not start. Returns warnings of what files have and a start does not use.
+/// Sets the stresses, plastic strains and temperatures of the elements that files name, and the pressures of fluids at
+/// rest, in a state at time 0. Books what they have stored as internal energy. Collective. Throws likewise: an id that
+/// is not there, a rigid part, a beam; a stress of a material whose stress does not grow in increments, a history that
+/// the material does not have; a temperature at which its law may not start. Returns warnings of what files have and a
+/// start does not use.
 std::vector<Warning> set_start_states(const Deck& deck, const ChunkedMesh& chunked, const Model& model, State& state);
 
 }  // namespace percuss

@@ -11,6 +11,7 @@
 #include "kernels/shell/shell_geometry.hpp"
 #include "kernels/shell/shell_hourglass.hpp"
 #include "kernels/shell/shell_record.hpp"
+#include "kernels/tet/tet_chunks.hpp"
 #include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
@@ -54,13 +55,20 @@ double find_largest(const double* s) {
   return largest;
 }
 
+KOKKOS_INLINE_FUNCTION bool keeps_volume(ElementFamily family) {
+  return family == ElementFamily::tetrahedra || family == ElementFamily::wedges || family == ElementFamily::pyramids;
+}
+
 Array<RecordLayout> find_layouts(const ElementChunks& chunks) {
   const Array<RecordLayout> layouts("percuss::record_layouts", at(chunks.count));
   parallel_for(
       "percuss::find_record_layouts", RangeOf(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
-        layouts(c) = {chunks.points(c), is_shell(chunks, c) ? find_layer_size(chunks, c) : 0,
+        layouts(c) = {chunks.points(c),
+                      is_shell(chunks, c) ? find_layer_size(chunks, c) : 0,
                       chunks.find_scalar(c, HistoryScalar::equivalent_plastic_strain),
-                      chunks.find_scalar(c, HistoryScalar::temperature)};
+                      chunks.find_scalar(c, HistoryScalar::temperature),
+                      chunks.find_scalar(c, HistoryScalar::internal_energy),
+                      keeps_volume(find_family(chunks, c)) ? TetRecord::log_volume : -1};
       });
   ExecSpace().fence();
   return layouts;
@@ -102,14 +110,14 @@ std::string StartRecords::find_obstacle(const StartElement& of, const StartRow& 
 }
 
 std::string StartRecords::set_history(const StartElement& of, HistoryScalar name, std::int64_t layer, double value) {
-  const auto [points, layer_size, plastic_strain, temperature] = layout(of);
-  const int place = name == HistoryScalar::temperature ? temperature : plastic_strain;
+  const RecordLayout& of_chunk = layout(of);
+  const int place = name == HistoryScalar::temperature ? of_chunk.temperature : of_chunk.plastic_strain;
   if (place < 0 && name == HistoryScalar::equivalent_plastic_strain && value == 0) return "";
   if (place < 0)
     return fmt::format("has a {} (its material has none)",
                        name == HistoryScalar::temperature ? "temperature" : "plastic strain");
-  const int apart = std::max(1, layer_size);
-  for (int p = 0; p < points; ++p)
+  const int apart = std::max(1, of_chunk.layer_size);
+  for (int p = 0; p < of_chunk.points; ++p)
     if (layer == 0 || layer == p + 1) set(of, place + p * apart, value);
   return "";
 }
@@ -152,6 +160,17 @@ std::string StartRecords::set_shell_stress(const StartElement& of, const StartRo
     energy += volume * (now * now - before * before) / (2 * place.shear_modulus);
   }
   return "";
+}
+
+double StartRecords::press(const StartElement& of, const PressedFluid& pressed) {
+  const int points = layout(of).points, energy = layout(of).internal_energy, log_volume = layout(of).log_volume;
+  const double before = get(of, energy);
+  for (int p = 0; p < points; ++p) {
+    set(of, energy + p, pressed.energy);
+    set(of, energy + points + p, pressed.j);  // start_state()
+  }
+  if (log_volume >= 0) set(of, log_volume, std::log(pressed.j));
+  return (pressed.energy - before) * find_element_volume(mesh_, at(of.element)) / pressed.j;
 }
 
 std::string StartRecords::write(const StartElement& of, const StartRow& row, double& energy) {

@@ -9,6 +9,7 @@
 #include "kernels/core/view_copy.hpp"
 #include "kernels/element/element_records.hpp"
 #include "kernels/material/elastic.hpp"
+#include "kernels/material/pressure/pressed_fluid.hpp"
 #include "src/index.hpp"
 #include "src/mesh/mesh.hpp"
 #include "src/step/model/state.hpp"
@@ -33,8 +34,9 @@ struct StartElement {
 /// Where the elements of a chunk keep what files give them.
 struct RecordLayout {
   int points;
-  int layer_size;                   // of shells; 0: these are none
-  int plastic_strain, temperature;  // places of the first point's, -1: the material has none
+  int layer_size;                                    // of shells; 0: these are none
+  int plastic_strain, temperature, internal_energy;  // places of the first point's, -1: the material has none
+  int log_volume;                                    // place of it, which tetrahedra, wedges and pyramids keep; -1
 };
 
 class StartRecords {
@@ -45,6 +47,10 @@ class StartRecords {
   /// Sets what a row says of an element that begins without it. energy: out, what the stress adds to that of the
   /// element. Returns why the element cannot have it, as "has no layer 4 (it has 3)"; empty: it can.
   std::string write(const StartElement& of, const StartRow& row, double& energy);
+
+  /// Sets the state of a fluid under pressure, which the first evaluation takes its stress from. Returns what the
+  /// pressure has added to the internal energy of the element.
+  double press(const StartElement& of, const PressedFluid& pressed);
 
   void give_back(const State& state) const { copy_values(state.elements, records_); }
 

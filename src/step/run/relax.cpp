@@ -47,10 +47,10 @@ void Run::note_unsettled(const Warning& warning) {
   warnings_.add({warning});
 }
 
-/// Begins the energy balance: what elements hold at time 0 is initial energy, also that of stresses from files. The
-/// work of gravity counts from there on. Call after the start of the stepper.
+/// Begins the energy balance: what elements hold at time 0 is initial energy, also that of stresses from files and of
+/// fluids at rest. The work of gravity counts from there on. Call after the start of the stepper.
 void Run::begin_books() {
-  if (!deck_.start.relaxation && deck_.start.fields.empty()) return;
+  if (!deck_.start.relaxation && deck_.start.fields.empty() && deck_.start.hydrostatic.empty()) return;
   const EnergySummary held = Audit(model_)(state_).energy;
   if (!deck_.start.relaxation) return audit_.note_scale(held.internal() + held.kinetic, model_.half_extent);
   if (ranks_.rank() == 0) {

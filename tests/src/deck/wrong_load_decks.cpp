@@ -52,6 +52,16 @@ std::string start(const std::string& more) {
   return "start: {relaxation: {}, preload: {b: {point: [0.5, 0.5, 0.3], normal: z, " + more + "}}}\n";
 }
 
+/// `rod` of a fluid with this equation of state, which begins at rest.
+std::string fill(const std::string& state, const std::string& more, const std::string& parts = "rod") {
+  return change("model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3",
+                "model: fluid, density: 1, equation_of_state: {" + state + "}") +
+         more + "start: {hydrostatic: [{parts: [" + parts + "], surface: [0, 0, 1]}]}\n";
+}
+
+constexpr const char* linear = "kind: linear, bulk_modulus: 1e5";
+constexpr const char* falls = "loads: {gravity: [0, 0, -9.81]}\n";
+
 std::vector<WrongDeck> wrong_starts() {
   return {
       {"PreloadWithoutRelaxation",
@@ -67,6 +77,14 @@ std::vector<WrongDeck> wrong_starts() {
       {"PreloadOfRubber", change("model: elastic", "model: neo_hookean") + start("part: rod, force: 1"), "6:35",
        "preload 'b' is of part 'rod' of material 'steel' (whose stress does not grow in increments)"},
       {"PreloadThatLacksItsForce", append(start("part: rod")), "6:35", "force is missing"},
+      {"FluidAtRestWithoutGravity", fill(linear, ""), "6:9",
+       "start.hydrostatic has no effect (loads.gravity is 0 at time 0): give gravity, or leave it out"},
+      {"SolidAtRest", append(falls + std::string("start: {hydrostatic: [{parts: [rod], surface: [0, 0, 1]}]}")), "7:23",
+       "start.hydrostatic: part 'rod' of material 'steel' is no fluid"},
+      {"AllPartsAtRest", fill(linear, falls, "all"), "7:23", "all is given (must be parts by their names)"},
+      {"FluidAtRestTwice", fill(linear, falls, "rod, rod"), "7:23", "part 'rod' is named twice"},
+      {"GasAtRestWithoutPressure", fill("kind: ideal_gas, gamma: 1.4, start_energy: 2.5e5", falls), "7:23",
+       "cannot rest with the pressure 0 (its equation of state does not reach it without heat)"},
       {"RelaxationToNothing", append("start: {relaxation: {tolerance: 0}}"), "6:33", "must be above 0 and below 1"},
   };
 }
