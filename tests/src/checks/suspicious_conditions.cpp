@@ -19,6 +19,9 @@ const std::pair<std::string, std::string> rubber{
     "400e6",
     "elastic, density: 1100, youngs_modulus: 1.5e6, poissons_ratio: 0.4999"};
 const std::pair<std::string, std::string> still{"initial: [" + velocity + "]\n", ""};
+const std::pair<std::string, std::string> water{
+    "elastic, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3",
+    "fluid, density: 1000, equation_of_state: {kind: linear, bulk_modulus: 2e9}"};
 const std::string gravity = "loads: {gravity: [0, 0, -9.81]}\n";
 
 const std::pair<std::string, std::string> skin_law{"\nmaterials:\n",
@@ -371,6 +374,18 @@ std::vector<SuspiciousDeck> load_decks() {
        "integration: membrane",
        {membrane, free_turn},
        {membrane, free_turn, sideways("nodal: [{nodes: sheet/x_max, force: {y: 1}}]")}},
+      {"FluidThatBeginsWithoutItsPressure",
+       "standing_fluid",
+       "block: {",
+       {water, add_condition("{nodes: block/z_min, fixed: [z]}")},
+       {water, add_condition("{nodes: block/x_min, symmetry: x}")}},
+      {"FluidThatBeginsAtRest",
+       "standing_fluid",
+       "block: {",
+       {water, add_condition("{nodes: block/z_min, fixed: [z]}")},
+       {water,
+        add_condition("{nodes: block/z_min, fixed: [z]}"),
+        {gravity, gravity + "start: {hydrostatic: [{parts: [block], surface: [0, 0, 1]}]}\n"}}},
       {"SymmetryWithAnotherNormal",
        "symmetry_plane",
        "symmetry: x",
