@@ -110,7 +110,7 @@ conditions:
   - {nodes: w/y_min, fixed: [y]}
   - {nodes: w/y_max, fixed: [y]}
   - {nodes: w/z_min, velocity: {z: {table: [[0, 0], [0.1, 0.4905], [10, 97.6095]]}}}
-output: {history: {every: 0.05, nodes: [{name: low, near: [0, 0, 0]}, {name: left, near: [0, 0, 0.5]}, {name: middle, near: [0.5, 0, 0.5]}]}}
+output: {history: {every: 0.05, nodes: [{name: low, near: [0, 0, 0]}, {name: left, near: [0, 0, 0.5]}, {name: middle, near: [0.5, 0, 0.5]}], elements: [{name: bottom, near: [0.5, 0, 0]}]}}
 )");
   double lowest = 1, highest = 0, slope = 0;
   for (std::size_t row = run.history.rows() / 2; row < run.history.rows(); ++row) {
@@ -119,7 +119,11 @@ output: {history: {every: 0.05, nodes: [{name: low, near: [0, 0, 0]}, {name: lef
     highest = std::max(highest, height);
     slope = std::max(slope, std::abs(run.history["left_z"][row] - run.history["middle_z"][row]));
   }
-  fmt::print("surface {:.3g} m off level, {:.4g} to {:.4g} m above the bottom\n", slope, lowest, highest);
+  const double pressure = run.history.mean(3, 6, "bottom_pressure"), exact = 1000 * gravity * 0.475;  // rho a depth
+  fmt::print(
+      "surface {:.3g} m off level, {:.4g} to {:.4g} m above the bottom; pressure there {:.2f} Pa, exact {:.2f}\n",
+      slope, lowest, highest, pressure, exact);
+  EXPECT_NEAR(pressure, exact, 1e-3 * exact);
   EXPECT_LT(slope, 1e-6);
   EXPECT_NEAR(lowest, 0.5, 1e-3);  // sound rings in the column, which is 0.3 mm shorter
   EXPECT_NEAR(highest, 0.5, 1e-3);
