@@ -100,7 +100,7 @@ PERCUSS_FORCE_INLINE LayerSums<T> advance_layers(const ShellParameters<CalledLay
   return sums;
 }
 
-/// As above, for membranes of fabric.
+/// Calls the layer of a membrane of fabric.
 template <class T, class Lives>
 PERCUSS_FORCE_INLINE LayerSums<T> advance_fabric(const ShellParameters<CalledLayer>& par, const ElementStep<T>& step,
                                                  const ShellGeometry<T>& end, T* layer, const Lives& lives,

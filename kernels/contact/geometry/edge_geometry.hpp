@@ -38,7 +38,7 @@ KOKKOS_INLINE_FUNCTION bool is_inside(const Crossing& c, double band) {
   return c.s >= band && c.s <= 1 - band && c.t >= band && c.t <= 1 - band;
 }
 
-/// As above, with a band for each edge.
+/// Whether the lines come closest on both edges, each shortened by a band of its own.
 KOKKOS_INLINE_FUNCTION bool is_inside(const Crossing& c, double band_a, double band_b) {
   return c.s >= band_a && c.s <= 1 - band_a && c.t >= band_b && c.t <= 1 - band_b;
 }

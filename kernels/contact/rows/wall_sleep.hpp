@@ -1,7 +1,7 @@
 #pragma once
 // Nodes that are far from a wall are not looked at until they can have come near: they sleep.
 //
-// Of each pair of a wall and a node it is known how far node and wall may go before they can have a row. No node goes
+// For each pair of a wall and a node it is known how far node and wall may go before they can have a row. No node goes
 // farther in a step than the fastest one, so that a list of the pairs within reach holds until that way is used up.
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 #pragma once
-// The same pairs as points-in-box finds, by blocks of sixteen points against a tree of blocks of sixteen boxes.
+// The pairs that points-in-box finds, by blocks of sixteen points against a tree of blocks of sixteen boxes.
 //
 // Points and boxes lie in the order of kd trees, the recursive bisection of the contact decomposition carried on down
 // to sixteen. The order is kept from search to search and made anew when the number of tests has grown by a half, or
