@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include "comm/exchange/item_exchange.hpp"
-#include "src/deck/contact_springs.hpp"
 #include "src/deck/embedded_parts.hpp"
 #include "src/deck/laws/material_properties.hpp"
 #include "src/index.hpp"
@@ -85,7 +84,7 @@ std::vector<TouchingBeam> list_touching_beams(const ChunkedMesh& chunked, const 
   const std::vector<double> radii = find_touching_radii(mesh, deck);
   std::vector<TouchingBeam> beams;
   const std::vector<std::int64_t> numbers = list_element_numbers(chunked);
-  const bool has_springs = may_have_contact_springs(deck);
+  const bool has_springs = deck.contact.enforcement == ContactDeck::Enforcement::penalty;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const double radius = radii[at(mesh.part_of(e))];
     if (radius == 0 || !mesh.topology_of(e).is_line()) continue;

@@ -195,7 +195,7 @@ parts:
 materials: {}
 initial: [{{part: b, velocity: [0, 0, -10]}}]
 conditions: [{{nodes: a, fixed: [x, y, z, rx, ry, rz]}}]
-contact: {{surfaces: all, tolerance: 1e-7}}
+contact: {{surfaces: all, enforcement: kinematic, tolerance: 1e-7}}
 )yaml",
                             held.path(), falls.path(), steel));
     scene.contact.prepare(scene.state.x, scene.state.v);
