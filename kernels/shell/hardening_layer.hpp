@@ -105,7 +105,7 @@ struct HardeningLayer {
     const T dp = multiplier * to.equivalent;
     history[0] = history[0] + dp;
     if constexpr (requires { one.heat(history, dp, dp, density); }) {
-      one.heat(history, dp, T(0.5) * (before + to.equivalent), density);
+      one.heat(history, dp, T(0.5) * (larger(before, T(flow.at_rest)) + to.equivalent), density);
     }
     LayerResponse<T> response = to.response;
     response.secant = secant;

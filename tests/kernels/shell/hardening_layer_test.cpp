@@ -99,6 +99,7 @@ struct SolidLayer {
     PointStep<double> step;
     step.motion.de = {de[0], de[1], across, 0.5 * de[2], 0, 0};
     step.motion.dt = dt;
+    step.motion.volume_ratio = 1;
     step.stress = stress;
     step.history = own;
     step.density = density;

@@ -377,11 +377,13 @@ std::vector<SuspiciousDeck> material_decks() {
         {"initial:", start + "hourglass: viscous}\ninitial:"}}},
       {"FluidOfTetrahedra",
        "fluid_hourglass",
-       "steel: {",
-       {{"elastic, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3",
-         "fluid, density: 1000, equation_of_state: {kind: linear, bulk_modulus: 2e9}"}},
+       "block: {",
        {{"elastic, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3",
          "fluid, density: 1000, equation_of_state: {kind: linear, bulk_modulus: 2e9}"},
+        {"initial:", start + "hourglass: assumed_strain}\ninitial:"}},
+       {{"elastic, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3",
+         "fluid, density: 1000, equation_of_state: {kind: linear, bulk_modulus: 2e9}"},
+        {"initial:", start + "hourglass: assumed_strain}\ninitial:"},
         {"block: {", "block: {elements: tetrahedra, "}}},
   };
 }

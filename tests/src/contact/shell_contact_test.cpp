@@ -67,7 +67,7 @@ parts:
   c: {shell_plate: {size: [0.08, 0.08], cells: [6, 6]}, at: [0.01, 0.011, -0.0052], thickness: 0.006, material: steel}
 initial: [{part: b, velocity: [0, 0, -10]}, {part: c, velocity: [0, 0, 10]}]
 conditions: [{nodes: a, fixed: [x, y, z, rx, ry, rz]}]
-contact: {surfaces: all, tolerance: 1e-7}
+contact: {surfaces: all, enforcement: kinematic, tolerance: 1e-7}
 )");
   EXPECT_EQ(scene.report, "");
   EXPECT_TRUE(scene.advance_into_contact(40));
@@ -99,7 +99,7 @@ parts:
   b: {shell_plate: {size: [0.04, 0.04], cells: [1, 1]}, at: [0.03, 0.033, -0.01], thickness: 0.0002, material: steel}
 initial: [{part: b, velocity: [0, 0, 2000]}]
 conditions: [{nodes: a, fixed: [x, y, z, rx, ry, rz]}]
-contact: {surfaces: all}
+contact: {surfaces: all, enforcement: kinematic}
 )");
   scene.advance_into_contact(3);
   EXPECT_TRUE(scene.touched);
@@ -132,7 +132,7 @@ parts:
   b: {shell_plate: {size: [0.05, 0.08], cells: [2, 3]}, at: [0.1032, 0.011, 0], thickness: 0.002, material: steel}
 initial: [{part: b, velocity: [-10, 0, 0]}]
 conditions: [{nodes: a, fixed: [x, y, z, rx, ry, rz]}]
-contact: {surfaces: all, tolerance: 1e-7}
+contact: {surfaces: all, enforcement: kinematic, tolerance: 1e-7}
 )");
   double nearest = 1;
   for (int i = 0; i < 40; ++i) {
@@ -152,7 +152,7 @@ parts:
   b: {shell_plate: {size: [0.1, 0.05], cells: [2, 1]}, rotate: [{axis: x, angle: 90}, {axis: z, angle: 90}], at: [0.03, -0.03, -0.0531], thickness: 0.002, material: steel}
 initial: [{part: b, velocity: [0, 0, 10]}]
 conditions: [{nodes: a, fixed: [x, y, z, rx, ry, rz]}, {nodes: b, fixed: [x, y, rx, ry, rz]}]
-contact: {surfaces: all, edges: )" +
+contact: {surfaces: all, enforcement: kinematic, edges: )" +
                       edges + "}\n");
   };
   ShellScene crossing = scene("true");
@@ -180,7 +180,7 @@ parts:
   plate: {shell_plate: {size: [0.05, 0.03], cells: [3, 2]}, rotate: [{axis: x, angle: 90}], at: [0.021, 0.05, 0.0032], thickness: 0.004, material: steel}
 initial: [{part: plate, velocity: [0, 0, -10]}]
 conditions: [{nodes: floor, fixed: [x, y, z, rx, ry, rz]}]
-contact: {surfaces: all, friction: 0.1}
+contact: {surfaces: all, enforcement: kinematic, friction: 0.1}
 )");
   EXPECT_TRUE(scene.advance_into_contact(5));
   EXPECT_TRUE(scene.touched);
@@ -210,7 +210,7 @@ parts:
                      std::to_string(height) + R"(], thickness: 0.002, material: steel}
 initial: [{part: b, velocity: [0, 0, -1]}]
 conditions: [{nodes: a, fixed: [x, y, z, rx, ry, rz]}]
-contact: {surfaces: all}
+contact: {surfaces: all, enforcement: kinematic}
 )");
     EXPECT_NE(scene.report.find("overlap another body at the start"), std::string::npos) << scene.report;
     EXPECT_EQ(scene.report.find("not in contact"), std::string::npos) << scene.report;

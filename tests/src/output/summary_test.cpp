@@ -146,6 +146,8 @@ TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
                                           "energy.damping",
                                           "energy.external",
                                           "energy.error",
+                                          "energy.contact_taken",
+                                          "energy.largest",
                                           "momentum.linear",
                                           "momentum.angular",
                                           "momentum.linear_error",

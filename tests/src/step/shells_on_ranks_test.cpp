@@ -65,7 +65,7 @@ materials:
   steel: {{model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}
 loads: {{pressure: [{{faces: low/top, value: 1e6}}]}}
 initial: [{{part: high, velocity: [3, 0, -50]}}]
-contact: {{surfaces: all, friction: 0.2}}
+contact: {{surfaces: all, friction: 0.2, enforcement: kinematic}}
 )yaml"));
   EXPECT_GT(step_and_compare(scenes, 40), 0);
 }

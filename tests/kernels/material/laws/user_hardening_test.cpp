@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/kernels/material/point_driver.hpp"
 #include "tests/kernels/material/samples.hpp"
 
@@ -81,7 +83,9 @@ TEST(UserHardening, EndsEachStepOnItsYieldSurface) {
   for (const Leg& leg : make_path()) {
     const double dt = leg.time / leg.steps;
     for (int i = 0; i < leg.steps; ++i) {
-      const double p = point.p(), temperature = point.history[2], before = von_mises(point.stress);
+      const double p = point.p(), temperature = point.history[2];
+      const double first = yield + growth * (1 - std::exp(-saturation * p));  // where the point begins to yield
+      const double before = std::max(von_mises(point.stress), first * (1 - softening * temperature));
       const double volume = point.last_volume;
       point.advance(scale(dt, leg.rate), dt);
       const double dp = point.p() - p;
