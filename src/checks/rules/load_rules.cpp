@@ -67,6 +67,7 @@ class PossibleContact {
 bool is_of_itself(const ForceDeck& force) {
   const auto list = [](const std::vector<Selector>& sides) {
     std::vector<std::string> names;
+    names.reserve(sides.size());
     for (const Selector& side : sides) names.push_back(side.inside ? "" : side.name);
     std::sort(names.begin(), names.end());
     return names;
