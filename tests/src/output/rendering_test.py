@@ -79,7 +79,7 @@ class Largest(unittest.TestCase):
         drawn = np.array([True])
         self.assertEqual(find_largest(Fields(*[0.0] * 8), "f", 0, drawn), (None, 0.0))
         self.assertEqual(find_largest(Fields(*[-1.0] * 7, np.nan), "f", 0, drawn), (0, -1.0))
-        self.assertEqual(find_largest(Fields(np.nan), "f", 0, drawn), (None, None))
+        self.assertEqual(find_largest(Fields(np.nan), "f", 0, drawn), (None, 0.0))
 
 
 class Bar(unittest.TestCase):

@@ -87,7 +87,7 @@ TEST(ThickHinge, TwoLayersAreLittleStrongerThanOneWithEachLaw) {
   for (const char* material :
        {"model: voce_plasticity, yield_stress: 300e6, saturation_stress: 1e6, saturation_rate: 10",
         "model: power_law_plasticity, yield_stress: 300e6, hardening_coefficient: 1e6, hardening_exponent: 1",
-        "model: combined_hardening, yield_stress: 300e6, isotropic_modulus: 0, kinematic_modulus: 5e8",
+        "model: combined_hardening, yield_stress: 300e6, hardening_modulus: 5e8, kinematic_share: 1",
         "model: johnson_cook, a: 300e6, b: 0, n: 1, specific_heat: 460, melt_temperature: 1800"}) {
     Hinge hinge;
     hinge.material = material;
