@@ -39,10 +39,12 @@ parts:
   a: {box: {size: [1, 1, 1], cells: [1, 2, 1]}, material: metal}
   b: {box: {size: [1, 1, 1], cells: [1, 2, 1]}, at: [0, 0, 2], material: hard}
   c: {box: {size: [1, 1, 1], cells: [1, 2, 1]}, at: [0, 0, 3.1], material: hard}
+  d: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, at: [0, 0, 10], material: water}
 materials:
   metal: {model: johnson_cook, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0.3, a: 1e7, b: 1e7, n: 1, c: 0.01, m: 1,
           specific_heat: 400, melt_temperature: 1000, equation_of_state: {kind: mie_grueneisen, sound_speed: 1000, slope: 1.5, grueneisen: 2}}
   hard: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0.3}
+  water: {model: fluid, density: 1000, equation_of_state: {kind: linear, bulk_modulus: 1e6}}
   porous: {model: gurson, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0.3, hardening: [[0, 1e7]]}
 initial: [{part: a, velocity: [0, 0, 1]}]
 conditions: [{nodes: b/z_max, fixed: [x, y, z]}]
