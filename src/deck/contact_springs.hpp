@@ -13,8 +13,7 @@ inline bool may_have_contact_springs(const Deck& deck) {
   if (deck.contact.enforcement == Enforcement::penalty) return true;
   if (deck.contact.enforcement != Enforcement::automatic || deck.contact.surfaces == ContactDeck::Surfaces::none)
     return false;
-  return std::any_of(deck.parts.begin(), deck.parts.end(),
-                     [](const PartDeck& part) { return part.has_thickness(); });
+  return std::any_of(deck.parts.begin(), deck.parts.end(), [](const PartDeck& part) { return part.has_thickness(); });
 }
 
 }  // namespace percuss

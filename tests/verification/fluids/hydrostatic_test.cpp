@@ -78,7 +78,8 @@ TEST(Hydrostatic, OtherElementsStayAtRest) {
 /// Averages over nodes smear the pressure at the surface and at walls.
 TEST(Hydrostatic, ElementsThatAverageHardlyMove) {
   for (const char* const kind : {"wedges", "pyramids", "tetrahedra"})
-    expect_rest(make_rest(4e6, fmt::format("box: {{size: [1, 0.05, 0.5], cells: [10, 1, 5]}}, elements: {}", kind)), 5e-6);
+    expect_rest(make_rest(4e6, fmt::format("box: {{size: [1, 0.05, 0.5], cells: [10, 1, 5]}}, elements: {}", kind)),
+                5e-6);
 }
 
 /// Inner nodes are off their lattice by up to a fifth of an element.

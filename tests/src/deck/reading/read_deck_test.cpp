@@ -229,8 +229,8 @@ TEST(ReadDeck, WarnsOfSettingsOfContactThatDoNothing) {
           testing::HasSubstr(
               "warning: contact.penalty_scale does nothing (it applies only to contact.enforcement: penalty)")));
   EXPECT_THAT(read("contact: {enforcement: lagrange, tolerance: 1e-4}\n"),
-              testing::ElementsAre(testing::HasSubstr(
-                  "warning: contact.tolerance does nothing (it applies only to contact.enforcement: automatic and kinematic)")));
+              testing::ElementsAre(testing::HasSubstr("warning: contact.tolerance does nothing (it applies only to "
+                                                      "contact.enforcement: automatic and kinematic)")));
 }
 
 TEST(ReadDeck, AcceptsAByteOrderMarkWindowsLineEndsAndADocumentStart) {

@@ -91,7 +91,8 @@ output: {history: {every: 0, forces: [{name: left, support: a/x_min}, {name: rig
 
 }  // namespace
 
-/// Expects that the run skips elements, if it may, and ends as one that computes all, and as one that is stopped after two steps.
+/// Expects that the run skips elements, if it may, and ends as one that computes all, and as one that is stopped after
+/// two steps.
 void expect_same_bits(const std::string& deck, bool skips = true) {
   const TemporaryFolder skipping, computing, parts;
   const Summary some = run(deck, skipping.path()), all = run(computes_all + deck, computing.path());
