@@ -246,7 +246,7 @@ std::vector<Warning> check_symmetry_planes(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_damping_size(const CheckedScene& scene) {
-  constexpr double most = 0.5;       // share of the logarithm of the speed: a body in flight loses 40 % of its speed
+  constexpr double most = 0.5;       // largest change of the logarithm of the speed: a body in flight loses 40 %
   constexpr double most_creep = 50;  // times critical damping, 2 pi speed / length, of the slowest wave along a part
   const Deck& deck = scene.deck;
   std::vector<Warning> warnings;
