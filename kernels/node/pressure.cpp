@@ -33,13 +33,6 @@ struct FacePresser {
     return (faces.share.extent(0) == 0 ? 1.0 : faces.share(f)) * pressure(faces.load(f));
   }
 
-  /// The load of a corner that takes a quarter.
-  KOKKOS_INLINE_FUNCTION Vector3<double> find_share(int f, double p, const Vector3<double> (&corner)[4]) const {
-    const Vector3<double> dead{faces.dead_share(f, 0), faces.dead_share(f, 1), faces.dead_share(f, 2)};
-    const bool follows = dead.x == 0 && dead.y == 0 && dead.z == 0;
-    return follows ? (-0.125 * p) * cross(corner[2] - corner[0], corner[3] - corner[1]) : p * dead;
-  }
-
   KOKKOS_FORCEINLINE_FUNCTION void press(int f, double (&sum)[PressureSum::count]) const {
     const int first = faces.first_slot + 4 * f;
     const double p = find_pressure(f);
@@ -47,30 +40,44 @@ struct FacePresser {
     if (p == 0 && in_slot.x == 0 && in_slot.y == 0 && in_slot.z == 0) return;  // as before a blast arrives
     int node[4];
     for (int i = 0; i < 4; ++i) node[i] = faces.nodes(f, i);
-    Vector3<double> corner[4];
+    Vector3<double> corner[4], load[4];
     for (int i = 0; i < 4; ++i) corner[i] = read_row(nodes.x, node[i]);
-    const Vector3<double> share = find_share(f, p, corner);
-    double part[4] = {1, 1, 1, 1};
-    if (has_repeated_corner(node))
-      for (int i = 0; i < 4; ++i) part[i] = find_part_of_triangle(node, i);
-    Vector3<double> place{0, 0, 0}, velocity{0, 0, 0};  // four times those of the load
+    find_loads(f, p, node, corner, load);
+    const Vector3<double> center{nodes.center[0], nodes.center[1], nodes.center[2]};
     for (int i = 0; i < 4; ++i) {
-      slot_force(first + i, 0) = part[i] * share.x;
-      slot_force(first + i, 1) = part[i] * share.y;
-      slot_force(first + i, 2) = part[i] * share.z;
-      place = place + part[i] * corner[i];
-      velocity = velocity + part[i] * read_row(nodes.v, node[i]);
+      const int slot = first + i;
+      const Vector3<double> velocity = read_row(nodes.v, node[i]), moment = cross(corner[i] - center, load[i]);
+      const double values[6] = {load[i].x, load[i].y, load[i].z, moment.x, moment.y, moment.z};
+      for (int k = 0; k < 6; ++k) sum[PressureSum::force + k] += values[k];
+      sum[PressureSum::old_power] += dot(read_row(slot_force, slot), velocity);
+      sum[PressureSum::power] += dot(load[i], velocity);
+      slot_force(slot, 0) = load[i].x;
+      slot_force(slot, 1) = load[i].y;
+      slot_force(slot, 2) = load[i].z;
     }
-    const Vector3<double> arm = place - Vector3<double>{4 * nodes.center[0], 4 * nodes.center[1], 4 * nodes.center[2]};
-    add(share, cross(arm, share), sum);
-    sum[PressureSum::old_power] += dot(in_slot, velocity) / part[0];
-    sum[PressureSum::power] += dot(share, velocity);
   }
 
-  KOKKOS_INLINE_FUNCTION static void add(const Vector3<double>& share, const Vector3<double>& moment,
-                                         double (&sum)[PressureSum::count]) {
-    const double values[6] = {4 * share.x, 4 * share.y, 4 * share.z, moment.x, moment.y, moment.z};
-    for (int k = 0; k < 6; ++k) sum[PressureSum::force + k] += values[k];
+  /// A follower load works against the exact gradient of the volume behind the face, as the pressure of an element
+  /// does: with equal shares on a face that warps or tapers, the pressure of the air on water feeds its ripples.
+  KOKKOS_INLINE_FUNCTION void find_loads(int f, double p, const int (&node)[4], const Vector3<double> (&corner)[4],
+                                         Vector3<double> (&load)[4]) const {
+    const Vector3<double> dead{faces.dead_share(f, 0), faces.dead_share(f, 1), faces.dead_share(f, 2)};
+    const bool follows = dead.x == 0 && dead.y == 0 && dead.z == 0;
+    const Vector3<double> one = corner[2] - corner[0], other = corner[3] - corner[1];  // diagonals
+    const Vector3<double> share = follows ? (-0.125 * p) * cross(one, other) : p * dead;
+    if (has_repeated_corner(node)) {
+      for (int i = 0; i < 4; ++i) load[i] = find_part_of_triangle(node, i) * share;
+      return;
+    }
+    for (int i = 0; i < 4; ++i) load[i] = share;
+    if (!follows) return;
+    const Vector3<double> along = one - other, across = one + other,
+                          twist = corner[0] - corner[1] + corner[2] - corner[3];
+    const Vector3<double> of_xi = (-p / 48) * cross(along, twist), of_eta = (-p / 48) * cross(twist, across);
+    load[0] = load[0] - of_xi - of_eta;
+    load[1] = load[1] + of_xi - of_eta;
+    load[2] = load[2] + of_xi + of_eta;
+    load[3] = load[3] - of_xi + of_eta;
   }
 };
 

@@ -29,9 +29,9 @@ struct PressedNodes {
   double center[3];
 };
 
-/// Force -p A n on each face, a quarter to each corner, of a triangle (a corner stands twice) a third to each node; A n
-/// is the exact area vector of the bilinear face, half the cross product of its diagonals. Dead loads: p times their
-/// share on each corner. pressure: by load [stress]. sums: out, [runs], with the faces of a run in their order.
+/// A follower load is -p int N_i n dA over the bilinear face, exactly: the gradient of the volume behind it; of a
+/// triangle (a corner stands twice) a third of the load for each node. Dead loads: p times their share on each corner.
+/// pressure: by load [stress]. sums: out, [runs], with the faces of a run in their order.
 void apply_pressure(const ExecSpace& space, const PressureFaces& faces, const Array<const double>& pressure,
                     const PressedNodes& nodes, const Rows3<double>& slot_force, const PressureSums& sums);
 

@@ -17,6 +17,11 @@ auto take(const Rows3<double>& view, std::size_t first, std::size_t end) {
   return Kokkos::subview(view, std::pair(first, end), Kokkos::ALL);
 }
 
+/// Values of a record that not every run has. All ranks have the same ones, with or without contact nodes.
+struct RecordParts {
+  bool held, to_push;
+};
+
 /// Records [first, end) of the history, `size` of them a row.
 struct RecordRange {
   std::size_t first, end;
@@ -24,19 +29,18 @@ struct RecordRange {
 };
 
 void archive_records(CheckpointArchive& archive, const std::string& name, const ChunkRows& rows,
-                     const ContactDeck& contact, const ContactHistory& history, const RecordRange& range) {
+                     const RecordParts& parts, const ContactHistory& history, const RecordRange& range) {
   const auto [first, end, size] = range;
   archive.rows(name + "/impulse", rows, 3 * size, take(history.impulse, first, end));
   archive.rows(name + "/slip", rows, 3 * size, take(history.slip, first, end));
   archive.rows(name + "/reference", rows, size, take(history.reference, first, end));
-  if (history.held.extent(0) > 0) archive.rows(name + "/held", rows, size, take(history.held, first, end));
-  if (contact.overlap == ContactDeck::Overlap::push_out)
-    archive.rows(name + "/to_push", rows, size, take(history.to_push, first, end));
+  if (parts.held) archive.rows(name + "/held", rows, size, take(history.held, first, end));
+  if (parts.to_push) archive.rows(name + "/to_push", rows, size, take(history.to_push, first, end));
 }
 
 /// The pairs of a wall follow each other, ascending in their nodes.
 void archive_walls(CheckpointArchive& archive, const ChunkedMesh& chunked, const WallPairs& walls,
-                   const ContactDeck& contact, const ContactHistory& history, std::size_t first_record) {
+                   const RecordParts& parts, const ContactHistory& history, std::size_t first_record) {
   const auto wall = to_host(walls.wall), node = to_host(walls.node);
   std::size_t begin = 0;
   for (std::size_t w = 0; w < walls.walls.extent(0); ++w) {
@@ -45,7 +49,7 @@ void archive_walls(CheckpointArchive& archive, const ChunkedMesh& chunked, const
     for (; end < wall.extent(0) && wall(end) == static_cast<int>(w); ++end) {
       numbers.push_back(chunked.mesh.node_numbers[static_cast<std::size_t>(node(end))]);
     }
-    archive_records(archive, fmt::format("contact/wall_{}", w), find_rows_of_nodes(chunked, numbers), contact, history,
+    archive_records(archive, fmt::format("contact/wall_{}", w), find_rows_of_nodes(chunked, numbers), parts, history,
                     {first_record + begin, first_record + end, 1});
     begin = end;
   }
@@ -59,8 +63,9 @@ void archive_history(CheckpointArchive& archive, const ChunkedMesh& chunked, con
   const int touches = contact_limits::max_touches;
   const std::size_t records = history.face.extent(0);
   archive.rows("contact/nodes/face", rows, touches, history.face);
-  archive_records(archive, "contact/nodes", rows, contact, history, {0, records, touches});
-  archive_walls(archive, chunked, walls, contact, history, records);
+  const RecordParts parts{share.springs != SpringRows::none, contact.overlap == ContactDeck::Overlap::push_out};
+  archive_records(archive, "contact/nodes", rows, parts, history, {0, records, touches});
+  archive_walls(archive, chunked, walls, parts, history, records);
 }
 
 void archive_ties(CheckpointArchive& archive, const ChunkedMesh& chunked, const std::vector<std::int64_t>& keys,

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+
+#include "kernels/core/tensor.hpp"
 
 namespace percuss::test::pressure_test {
 
@@ -63,6 +66,41 @@ TEST(Pressure, IsAThirdOnEachNodeOfATriangleWhicheverCornerStandsTwice) {
     expect_shares({0, 1, 1, 2}, follows, {third, third, third, 0});
     expect_shares({0, 0, 1, 2}, follows, {third, third, third, 0});
     expect_shares({0, 1, 2, 0}, follows, {third, third, third, 0});
+  }
+}
+
+/// -p int N_i n dA of a bilinear face, by 2x2 Gauss points, which are exact.
+std::array<Vector3<double>, 4> integrate(const Vector3<double> (&corner)[4], double p) {
+  constexpr double xi[4] = {-1, 1, 1, -1}, eta[4] = {-1, -1, 1, 1};
+  const double r = 1 / std::sqrt(3.0);
+  std::array<Vector3<double>, 4> load{};
+  for (int g = 0; g < 4; ++g) {
+    Vector3<double> along{0, 0, 0}, across{0, 0, 0};
+    for (int i = 0; i < 4; ++i) {
+      along = along + (0.25 * xi[i] * (1 + eta[i] * r * eta[g])) * corner[i];
+      across = across + (0.25 * eta[i] * (1 + xi[i] * r * xi[g])) * corner[i];
+    }
+    for (std::size_t i = 0; i < 4; ++i)
+      load[i] = load[i] + (-0.25 * p * (1 + xi[i] * r * xi[g]) * (1 + eta[i] * r * eta[g])) * cross(along, across);
+  }
+  return load;
+}
+
+TEST(Pressure, IsConsistentOnAFaceThatWarpsAndTapers) {
+  const Vector3<double> corner[4] = {{0.1, -0.2, 0.3}, {2.3, 0.1, -0.4}, {1.6, 1.2, 0.5}, {-0.3, 0.8, -0.2}};
+  LoadedFace face({0, 1, 2, 3}, true);
+  for (int n = 0; n < 4; ++n) {
+    face.x(n, 0) = corner[n].x;
+    face.x(n, 1) = corner[n].y;
+    face.x(n, 2) = corner[n].z;
+  }
+  face.apply();
+  const auto expected = integrate(corner, 3);
+  for (int n = 0; n < 4; ++n) {
+    const Vector3<double>& load = expected[static_cast<std::size_t>(n)];
+    EXPECT_NEAR(face.force(n, 0), load.x, 1e-14);
+    EXPECT_NEAR(face.force(n, 1), load.y, 1e-14);
+    EXPECT_NEAR(face.force(n, 2), load.z, 1e-14);
   }
 }
 
