@@ -60,7 +60,7 @@ struct CentroidKernel {
     const Vector3<Lanes> gravity{Lanes(motion.gravity[0]), Lanes(motion.gravity[1]), Lanes(motion.gravity[2])};
     Vector3<Lanes> weight = gravity - find_accelerations(fluids.first_element(i) + lanes.first, lanes.count,
                                                          gather_mean(scratch, shape, lanes));
-    weight = find_weight_share(a, weight, gravity, Lanes(fluids.wave_square(i))) * weight;
+    weight = find_weight_share(a, mass, weight, gravity, Lanes(fluids.bulk_modulus(i))) * weight;
     Lanes f[3][8];
     find_centroid_forces(a, mass, weight, f);
     if (!shape.is_whole) add_weight_of_shares(shape, mass, weight, f);

@@ -9,10 +9,10 @@ namespace percuss {
 /// Chunks of hexahedra, wedges and pyramids of fluids; const after set-up. They leave the forces in slots of their own,
 /// in the order of the chunk's slots.
 struct FluidChunks {
-  Array<int> list;            // [count] chunks, ascending
-  Array<int> first_element;   // [count + 1] elements of fluids are numbered by chunk
-  Array<int> first_slot;      // [count]
-  Array<double> wave_square;  // [count] bulk modulus over density at the start [velocity^2]
+  Array<int> list;             // [count] chunks, ascending
+  Array<int> first_element;    // [count + 1] elements of fluids are numbered by chunk
+  Array<int> first_slot;       // [count]
+  Array<double> bulk_modulus;  // [count] at the start
 
   int count() const { return static_cast<int>(list.extent(0)); }
 };

@@ -29,14 +29,15 @@ KOKKOS_INLINE_FUNCTION Collapsed find_collapsed(ElementFamily family) {
 inline constexpr double most_jump = 1e-3;
 
 /// Share of the apparent weight g - a of a unit of mass that counts: all of it up to twice gravity, or up to most_jump.
-/// a: modes of the places. wave_square: bulk modulus over density.
+/// a: modes of the places; mass: of the element, with what mass scaling added.
 template <class T>
-PERCUSS_FORCE_INLINE T find_weight_share(const VectorModes<T>& a, const Vector3<T>& weight, const Vector3<T>& gravity,
-                                         const T& wave_square) {
+PERCUSS_FORCE_INLINE T find_weight_share(const VectorModes<T>& a, const T& mass, const Vector3<T>& weight,
+                                         const Vector3<T>& gravity, const T& bulk_modulus) {
   const T tiny = number<T>(1e-150);
   const T x = dot(weight, a[1]), y = dot(weight, a[2]), z = dot(weight, a[3]);
   const T jump = number<T>(0.25) * square_root(x * x + y * y + z * z);  // an edge is a quarter of a mode
-  const T of_wave = number<T>(most_jump) * wave_square / larger(jump, tiny);
+  const T volume = number<T>(1.0 / 64) * larger(dot(a[1], cross(a[2], a[3])), T(0));
+  const T of_wave = number<T>(most_jump) * bulk_modulus * volume / larger(mass * jump, tiny);
   const T of_gravity = T(2) * norm(gravity) / larger(norm(weight), tiny);
   return smaller(T(1), larger(of_wave, of_gravity));
 }

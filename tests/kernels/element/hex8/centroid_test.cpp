@@ -117,14 +117,15 @@ TEST(Centroid, WeightCountsUpToTwiceGravityOrToTheJumpOfAWave) {
   Random random(3);
   const VectorModes<double> a = find_modes(make_element(random, 0.1, 0.1, 0.1, 0));
   const Vector3<double> gravity{0, 0, -9.81};
-  const auto share = [&](const Vector3<double>& w, double wave_square) {
-    return find_weight_share(a, w, gravity, wave_square);
+  const auto share = [&](const Vector3<double>& w, double modulus, double mass = 1) {  // density 1000
+    return find_weight_share(a, mass, w, gravity, modulus);
   };
-  EXPECT_EQ(share({0, 0, 0}, 1e4), 1);                   // free fall
-  EXPECT_EQ(share({0, 0, -19.6}, 0), 1);                 // a gas without pressure
-  EXPECT_NEAR(share({0, 0, -981}, 0), 0.02, 1e-15);      // cut to twice gravity
-  EXPECT_NEAR(share({981, 0, 0}, 2.2e6), 1, 1e-15);      // water in a crash: 4.5e-5 of its modulus
-  EXPECT_NEAR(share({1e6, 0, 0}, 2.2e6), 0.022, 1e-12);  // a shock: 0.001 of 2.2e6 over 0.1
+  EXPECT_EQ(share({0, 0, 0}, 1e7), 1);                       // free fall
+  EXPECT_EQ(share({0, 0, -19.6}, 0), 1);                     // a gas without pressure
+  EXPECT_NEAR(share({0, 0, -981}, 0), 0.02, 1e-15);          // cut to twice gravity
+  EXPECT_NEAR(share({981, 0, 0}, 2.2e9), 1, 1e-15);          // water in a crash: 4.5e-5 of its modulus
+  EXPECT_NEAR(share({1e6, 0, 0}, 2.2e9), 0.022, 1e-12);      // a shock: 0.001 of 2.2e6 over 0.1
+  EXPECT_NEAR(share({1e6, 0, 0}, 2.2e9, 4), 0.0055, 1e-12);  // of a scaled mass
 }
 
 }  // namespace percuss::test::centroid_test

@@ -178,8 +178,6 @@ walls: [{normal: z, point: [0, 0, -0.001]}]
   for (const SampleLaw& law : sample_laws) {
     for (const std::string& kind : kinds) {
       if (!law.has_twin || kind == "elements: tetrahedra") continue;
-      // Forces at the centroids of a fluid are bounded by the wave speed of its own density.
-      if (std::string(law.name) == "water") continue;
       const std::string plain = write_body(kind, block, "");
       const double bound = find_bound(flight + plain + write_law(law, 1)), wanted = 1.7 * bound;
       Scene scaled(flight + write_law(law, 1) + write_body(kind, block, ask_for(wanted)));
