@@ -72,9 +72,10 @@ class Island {
 
   /// Meets the rows until none changes by more than `enough` [velocity], or until sweeps no longer change what the rows
   /// see of the bodies: sticking rows of one body may demand displacements that no motion of the body has, and push
-  /// against each other without end.
-  RigidReport solve(double enough) {
+  /// against each other without end. `accepted` [velocity] takes the place of `enough` after patient_sweeps.
+  RigidReport solve(double enough, double accepted) {
     constexpr int max_sweeps = 1000, plain_sweeps = 8, accelerated_sweeps = 300;  // after these plain ones again
+    constexpr int patient_sweeps = 60;
     RigidReport report;
     double last_move = std::numeric_limits<double>::infinity();
     while (report.sweeps < max_sweeps) {
@@ -83,7 +84,8 @@ class Island {
       ++report.sweeps;
       double most = 0;
       for (IslandRow& row : rows_) most = std::max(most, meet(row));
-      if (most <= enough || note_velocities() <= enough) return report;
+      const double wanted = report.sweeps < patient_sweeps ? enough : accepted;
+      if (most <= wanted || note_velocities() <= wanted) return report;
       ++report.sweeps;
       for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) meet(*row);
       if (is_accelerated) last_move = accelerate(last_move);
@@ -298,7 +300,9 @@ void solve_island(const std::vector<RigidRow>& rows, std::span<const int> member
   }
   if (!is_asked) return;  // no impulse is the solution
   Island island(chosen, responses, query.dt);
-  const RigidReport solved = island.solve(std::max(query.tolerance * deepest, query.least * smallest) / query.dt);
+  const double least = query.least * smallest;
+  const RigidReport solved = island.solve(std::max(query.tolerance * deepest, least) / query.dt,
+                                          std::max(query.accepted * deepest, least) / query.dt);
   report.sweeps = std::max(report.sweeps, solved.sweeps);
   report.converged = std::min(report.converged, solved.converged);
   for (std::size_t i = 0; i < members.size(); ++i) island.get(i, impulses[at(members[i])].impulse);

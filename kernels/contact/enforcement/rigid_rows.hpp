@@ -51,6 +51,7 @@ struct RigidReport {
 struct RigidQuery {
   double dt = 0;         // step
   double tolerance = 0;  // largest change of a row in a sweep / largest predicted penetration of its island
+  double accepted = 0;   // the same where many sweeps have not brought it to `tolerance`
   double least = 0;      // largest change of a row in a sweep / smallest h
 };
 

@@ -216,7 +216,8 @@ SolveReport solve_rows(const WorkSpace& space, const SolveQuery& query, RowSyste
   const RigidRowList list = list_rigid_rows(system);
   std::vector<RigidImpulse> impulses;
   const RigidReport rigid = others.solve_rigid(
-      list, {query.dt, Convergence::of_rigid * query.tolerance, Convergence::absolute_tolerance}, impulses);
+      list, {query.dt, Convergence::of_rigid * query.tolerance, query.tolerance, Convergence::absolute_tolerance},
+      impulses);
   set_rigid_impulses(space, list, impulses, system);
   SolveReport report{rigid.rows, 0, true};
   if (rigid.is_all == 0) {

@@ -10,6 +10,7 @@
 
 #include "comm/partition/even_out.hpp"
 #include "tests/comm/random_numbers.hpp"
+#include "tests/expect_error.hpp"
 
 namespace percuss::test {
 
@@ -116,7 +117,9 @@ TEST(Partition, DividesChunksThatShareNothing) {
   EXPECT_EQ(partition.imbalance, 1.0);
 }
 
-TEST(Partition, RefusesNoParts) { EXPECT_THROW(partition_graph(make_grid(2, 2), 0), std::invalid_argument); }
+TEST(Partition, RefusesNoParts) {
+  EXPECT_ERROR(partition_graph(make_grid(2, 2), 0), std::invalid_argument, "cannot be divided in 0 parts");
+}
 
 TEST(EvenOut, MovesVerticesToLighterPartsUntilEvenEnough) {
   const Graph grid = make_grid(30, 10);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "tests/comm/rcb/rcb_fixture.hpp"
+#include "tests/expect_error.hpp"
 
 namespace percuss::test {
 
@@ -72,7 +73,7 @@ TEST_F(RcbTest, AllRanksRefuseAPointWithoutAFinitePosition) {
   for (const double bad : {std::nan(""), -std::nan(""), std::numeric_limits<double>::infinity()}) {
     Points points = make_random_points(100, 22);
     points[37].x[1] = bad;
-    EXPECT_THROW(decompose(points), RcbError);
+    EXPECT_ERROR(decompose(points), RcbError, "no finite");
   }
   EXPECT_EQ(decompose(make_random_points(100, 22)).points, 100);  // and can continue
 }
@@ -80,7 +81,7 @@ TEST_F(RcbTest, AllRanksRefuseAPointWithoutAFinitePosition) {
 TEST_F(RcbTest, AllRanksRefuseAWeightThatIsNotPositive) {
   Points points = make_random_points(100, 23);
   points[11].weight = 0;
-  EXPECT_THROW(decompose(points, Start::dealt, true), RcbError);
+  EXPECT_ERROR(decompose(points, Start::dealt, true), RcbError, "has the weight 0");
 }
 
 TEST_F(RcbTest, PointsThatShareAnIdAndAPlaceStayTogether) {

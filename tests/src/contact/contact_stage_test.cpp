@@ -10,6 +10,7 @@
 #include "src/deck/reading/read_deck.hpp"
 #include "src/error.hpp"
 #include "src/mesh/decomposition/decompose.hpp"
+#include "tests/expect_error.hpp"
 
 namespace percuss::test {
 namespace {
@@ -322,7 +323,7 @@ contact: {surfaces: all, overlap: )" +
 
 TEST(ContactStage, OverlapOfBluntEdgesIsHeldPushedOutOrRefused) {
   FreeNodes refused(cross_tubes("refuse"));
-  EXPECT_THROW(refused.prepare(), InputError);
+  EXPECT_ERROR(refused.prepare(), InputError, "contact.overlap");
   FreeNodes held(cross_tubes("accept"));
   EXPECT_THAT(held.prepare(), testing::HasSubstr("1 pair"));
   held.set_velocity("a", {0, 0, 1});

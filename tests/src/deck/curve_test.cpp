@@ -1,6 +1,7 @@
 // Curves against values known in closed form; texts that are no expression of t.
 
 #include "src/deck/functions/curve.hpp"
+#include "tests/expect_error.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -44,11 +45,13 @@ TEST(Curve, KnowsATableOfEqualValuesForAConstant) {
 }
 
 TEST(Curve, RefusesTablesThatAreNoFunction) {
-  EXPECT_THROW(Curve::table({}), std::invalid_argument);
-  EXPECT_THROW(Curve::table({{1, 0}, {1, 1}}), std::invalid_argument);
-  EXPECT_THROW(Curve::table({{2, 0}, {1, 1}}), std::invalid_argument);
-  EXPECT_THROW(Curve::table({{0, std::numeric_limits<double>::quiet_NaN()}}), std::invalid_argument);
-  EXPECT_THROW(Curve::table({{0, 0}, {std::numeric_limits<double>::infinity(), 1}}), std::invalid_argument);
+  EXPECT_ERROR(Curve::table({}), std::invalid_argument, "the table is empty");
+  EXPECT_ERROR(Curve::table({{1, 0}, {1, 1}}), std::invalid_argument, "?7?");
+  EXPECT_ERROR(Curve::table({{2, 0}, {1, 1}}), std::invalid_argument, "?8?");
+  EXPECT_ERROR(Curve::table({{0, std::numeric_limits<double>::quiet_NaN()}}), std::invalid_argument,
+               "row 1 of the table is not finite");
+  EXPECT_ERROR(Curve::table({{0, 0}, {std::numeric_limits<double>::infinity(), 1}}), std::invalid_argument,
+               "row 2 of the table is not finite");
 }
 
 struct Expression {
@@ -91,10 +94,10 @@ TEST(Curve, RefusesWhatIsNoExpressionOfTime) {
   for (const char* text :
        {"",      "  ",        "2 *",  "(t",  "t)",  "sine(t)", "x",     "t = 3", "t += 1", "a = t", "\"t\"", "sin",
         "sin()", "sin(t, t)", "t, 2", "1 2", "t;t", "`id`",    "t $ 2", "rnd()", "0x10",   "2,5",   "{t}"}) {
-    EXPECT_THROW(Curve::expression(text), std::invalid_argument) << text;
+    EXPECT_ERROR(Curve::expression(text), std::invalid_argument, "?9?") << text;
   }
-  EXPECT_THROW(Curve::expression(std::string(100'000, '(')), std::invalid_argument);
-  EXPECT_THROW(Curve::expression(std::string(1'900, '(')), std::invalid_argument);
+  EXPECT_ERROR(Curve::expression(std::string(100'000, '(')), std::invalid_argument, "?10?");
+  EXPECT_ERROR(Curve::expression(std::string(1'900, '(')), std::invalid_argument, "?11?");
 }
 
 TEST(Curve, DoesNotDependOnTheLocale) {

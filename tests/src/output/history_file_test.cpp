@@ -15,6 +15,7 @@
 #include <sstream>
 
 #include "src/error.hpp"
+#include "tests/expect_error.hpp"
 #include "tests/src/output/sample_run.hpp"
 
 namespace percuss {
@@ -102,7 +103,7 @@ TEST(HistoryFile, RefusesARowOfAnotherLengthThanItsHeading) {
   const std::vector<std::string> columns{"a", "b"};
   HistoryFile file(folder.file("history.csv"), columns);
   const std::vector<double> row{1, 2, 3};
-  EXPECT_THROW(file.write_row(row), std::logic_error);
+  EXPECT_ERROR(file.write_row(row), std::logic_error, "has 3 values");
 }
 
 TEST(HistoryFile, TellsOnceThatTheDiskIsFull) {

@@ -13,6 +13,7 @@
 #include "src/output/checkpoint/checkpoint_file.hpp"
 #include "src/step/restart/run_checkpoints.hpp"
 #include "src/step/run/run.hpp"
+#include "tests/expect_error.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
 namespace percuss::test {
@@ -396,7 +397,7 @@ TEST(Restart, ACheckpointThatCannotBeWrittenEndsTheRunAndLeavesItsResults) {
   const TemporaryFolder folder;
   // Nothing can be created where a folder has the name already.
   std::filesystem::create_directories(folder.path() + checkpoint_name + ".tmp/full");
-  EXPECT_THROW(run(stopped(5), folder.path()), SystemError);
+  EXPECT_ERROR(run(stopped(5), folder.path()), SystemError, "?29?");
   EXPECT_EQ(HistoryTable(folder.path() + "/history.csv").last("step"), 5);
   EXPECT_EQ(read_summary(folder.path() + "/summary.json").status, "failed");
 }
@@ -404,7 +405,7 @@ TEST(Restart, ACheckpointThatCannotBeWrittenEndsTheRunAndLeavesItsResults) {
 TEST(RunSummary, TellsTheEndThoughTheTableOfRanksCannotBeWritten) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder.path() + "/ranks.csv.tmp/full");
-  EXPECT_THROW(run(stopped(5), folder.path()), SystemError);
+  EXPECT_ERROR(run(stopped(5), folder.path()), SystemError, "?30?");
   EXPECT_EQ(read_summary(folder.path() + "/summary.json").status, "completed");
 }
 

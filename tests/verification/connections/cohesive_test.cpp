@@ -8,6 +8,7 @@
 #include <string>
 
 #include "src/error.hpp"
+#include "tests/expect_error.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
 namespace percuss::test::cohesive_test {
@@ -271,9 +272,12 @@ materials:
 }
 
 TEST(Cohesive, RefusesWhatMakesNoSense) {
-  EXPECT_THROW(run_deck(pull_block("", "0", "0.3"), {"contact.ties.0.rotations=true"}), InputError);
-  EXPECT_THROW(run_deck(pull_block("", "0", "0.3"), {"contact.ties.0.cohesive.normal_energy=20"}), InputError);
-  EXPECT_THROW(run_deck(pull_block("", "0", "0.3"), {"contact.ties.0.cohesive.plateau=0.95"}), InputError);
+  EXPECT_ERROR(run_deck(pull_block("", "0", "0.3"), {"contact.ties.0.rotations=true"}), InputError,
+               "rotations has no effect with cohesive");
+  EXPECT_ERROR(run_deck(pull_block("", "0", "0.3"), {"contact.ties.0.cohesive.normal_energy=20"}), InputError,
+               "normal_energy is 20 (must be above");
+  EXPECT_ERROR(run_deck(pull_block("", "0", "0.3"), {"contact.ties.0.cohesive.plateau=0.95"}), InputError,
+               "normal_energy is 300 (must be above");
 }
 
 }  // namespace percuss::test::cohesive_test

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "src/error.hpp"
+#include "tests/expect_error.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
 namespace percuss::test::late_tie_test {
@@ -64,8 +65,8 @@ TEST(LateTie, LetsGoAtItsEnd) {
 }
 
 TEST(LateTie, ThatFindsNothingEndsTheRun) {
-  EXPECT_THROW(run_deck(make_bars("{a: right/x_min, b: left/x_max, from: event}")),
-               RunError);  // beyond 0.05 of an edge
+  EXPECT_ERROR(run_deck(make_bars("{a: right/x_min, b: left/x_max, from: event}")), RunError,
+               "ties nothing");  // beyond 0.05 of an edge
   const Outcome run = run_deck(make_bars("{a: right/x_min, b: left/x_max, from: event, empty: ignore}"));
   EXPECT_EQ(run.history.last("momentum_x:left"), 0);
 }

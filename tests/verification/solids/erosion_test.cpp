@@ -10,6 +10,7 @@
 #include "src/deck/reading/read_deck.hpp"
 #include "src/error.hpp"
 #include "src/step/run/run.hpp"
+#include "tests/expect_error.hpp"
 #include "tests/verification/support/deaths.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
@@ -184,7 +185,7 @@ conditions: [{nodes: cube/x_min, fixed: [x, y, z]}, {nodes: cube/x_max, velocity
 output: {history: {}}
 audit: {max_energy_error: 10}
 )";
-  EXPECT_THROW(run_deck(deck), RunError);
+  EXPECT_ERROR(run_deck(deck), RunError, "?1?");
   const Outcome run = run_deck(deck, {"materials.m.failure={inverted: true}"});
   EXPECT_EQ(run.summary.status, "completed");
   EXPECT_EQ(run.summary.eroded.elements, 1);

@@ -46,7 +46,7 @@ struct Column {
     others.back() = count;
   }
   RigidReport solve(double tolerance) {
-    return solve_rigid_rows(rows, others, responses, {dt, tolerance, 1e-14}, impulses);
+    return solve_rigid_rows(rows, others, responses, {dt, tolerance, tolerance, 1e-14}, impulses);
   }
   double push(std::size_t i) const { return impulses[i].impulse.normal; }
 

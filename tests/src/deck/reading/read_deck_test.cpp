@@ -13,6 +13,7 @@
 #include "src/deck/reading/read_deck.hpp"
 #include "src/deck/text/deck_text.hpp"
 #include "src/error.hpp"
+#include "tests/expect_error.hpp"
 
 namespace percuss {
 namespace {
@@ -240,9 +241,9 @@ TEST(ReadDeck, AcceptsAByteOrderMarkWindowsLineEndsAndADocumentStart) {
 }
 
 TEST(ReadDeck, ReadsAFileAndSaysWhenThereIsNone) {
-  EXPECT_THROW(read_deck("no/such/deck.yaml"), InputError);
-  EXPECT_THROW(read_deck("."), InputError);
-  EXPECT_THROW(read_deck("/dev/zero"), InputError);
+  EXPECT_ERROR(read_deck("no/such/deck.yaml"), InputError, "no such file");
+  EXPECT_ERROR(read_deck("."), InputError, "a folder, not a deck");
+  EXPECT_ERROR(read_deck("/dev/zero"), InputError, "the deck is a device");
   const std::string pipe = testing::TempDir() + "percuss_deck_" + std::to_string(getpid());
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   try {

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <functional>
 
+#include "tests/expect_error.hpp"
 #include "tests/src/output/checkpoint/checkpoint_fixture.hpp"
 
 namespace percuss {
@@ -132,7 +133,7 @@ TEST_F(CheckpointFile, WithOtherNumbersThanThoseOfTheStateIsRefusedThoughItsSeal
   world().barrier();
   seal_file(world(), path());
   EXPECT_THAT(take_refusal(path(), share_), HasSubstr("its content is not the state that was saved"));
-  EXPECT_THROW(describe_checkpoint(path()), InputError);
+  EXPECT_ERROR(describe_checkpoint(path()), InputError, "its content is not the state that was saved");
 }
 
 // Whoever follows its groups would go round until the stack is full.
@@ -147,7 +148,7 @@ TEST_F(CheckpointFile, WithALoopOfGroupsIsRefusedThoughItsSealFits) {
   world().barrier();
   seal_file(world(), path());
   EXPECT_THAT(take_refusal(path(), share_), HasSubstr("can be reached in more than one way"));
-  EXPECT_THROW(read_checkpoint_header(path()), InputError);
+  EXPECT_ERROR(read_checkpoint_header(path()), InputError, "can be reached in more than one way");
 }
 
 TEST_F(CheckpointFile, HasAHashOfItsContentThatDoesNotDependOnRanks) {

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <functional>
 
+#include "tests/expect_error.hpp"
 #include "tests/src/output/checkpoint/checkpoint_fixture.hpp"
 
 namespace percuss {
@@ -71,7 +72,7 @@ TEST_F(CheckpointFile, OfAnotherSceneIsRefused) {
   write(path(), share_, Contents(share_));
   CheckpointReader reader(path(), share_, world());
   double value = 0;
-  EXPECT_THROW(reader.number("pressure", value), InputError);
+  EXPECT_ERROR(reader.number("pressure", value), InputError, "has no pressure");
   Contents other(share_);
   const auto read_list = [&] {
     reader.each("list", other.list, [](Contents::Row& row, const auto& take) { take(row.length, row.count); });
@@ -82,8 +83,8 @@ TEST_F(CheckpointFile, OfAnotherSceneIsRefused) {
                                                            "continue with the deck that wrote it")));
   for (std::int64_t& count : other.some.counts) count += 1;
   other.numbers.resize(other.numbers.size() + 2 * other.some.counts.size());
-  EXPECT_THROW(reader.rows("chunks/some", other.some, 2, other.numbers), InputError);
-  EXPECT_THROW(reader.rows("chunks/none", other.some, 2, other.numbers), InputError);
+  EXPECT_ERROR(reader.rows("chunks/some", other.some, 2, other.numbers), InputError, "?18?");
+  EXPECT_ERROR(reader.rows("chunks/none", other.some, 2, other.numbers), InputError, "?19?");
 }
 
 /// What loading says of contents that were changed before they were saved.
@@ -147,9 +148,9 @@ TEST_F(CheckpointFile, WithANumberThatCannotBeIsRefused) {
     return taken;
   };
   EXPECT_EQ(take({}).bound, INFINITY);
-  EXPECT_THROW(take({std::nan("")}), InputError);
+  EXPECT_ERROR(take({std::nan("")}), InputError, "a value of bound");
   EXPECT_FALSE(take({1, true, 0}).flag);
-  EXPECT_THROW(take({1, true, 2}), InputError);
+  EXPECT_ERROR(take({1, true, 2}), InputError, "a value of flag");
 }
 
 TEST_F(CheckpointFile, CountsAreHeldAgainstTheFileBeforeMemoryIsTaken) {
@@ -161,7 +162,7 @@ TEST_F(CheckpointFile, CountsAreHeldAgainstTheFileBeforeMemoryIsTaken) {
        {std::int64_t{1}, std::int64_t{-5}, std::int64_t{300'000'000}, std::int64_t{1} << 62}) {
     std::vector<std::int64_t> changed = counts;
     if (world().rank() == 0) changed[0] += wrong;
-    EXPECT_THROW(reader.expect_rows("chunks/some", changed, 2), InputError) << wrong;
+    EXPECT_ERROR(reader.expect_rows("chunks/some", changed, 2), InputError, "?20?") << wrong;
   }
 }
 
@@ -188,7 +189,7 @@ TEST_F(CheckpointFile, ThatIsNoFileIsRefusedAtOnce) {
 }
 
 TEST_F(CheckpointFile, InAFolderThatIsNotThereIsAnErrorOfTheSystem) {
-  EXPECT_THROW(write(folder_ + "/none/checkpoint.h5", share_, Contents(share_)), SystemError);
+  EXPECT_ERROR(write(folder_ + "/none/checkpoint.h5", share_, Contents(share_)), SystemError, "?21?");
 }
 
 }  // namespace percuss

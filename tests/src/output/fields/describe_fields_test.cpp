@@ -14,6 +14,7 @@
 #include <random>
 
 #include "src/error.hpp"
+#include "tests/expect_error.hpp"
 #include "tests/src/output/sample_run.hpp"
 
 // A damaged file makes HDF5 request absurd amounts of memory, which it is refused everywhere; under the address
@@ -79,14 +80,14 @@ TEST(DescribeFields, RefusesOtherFilesAsWrongInput) {
   const TemporaryFolder folder;
   write_bytes(folder.file("text"), "not HDF5");
   write_bytes(folder.file("empty"), "");
-  EXPECT_THROW(describe_fields_file(folder.file("text")), InputError);
-  EXPECT_THROW(describe_fields_file(folder.file("empty")), InputError);
+  EXPECT_ERROR(describe_fields_file(folder.file("text")), InputError, "?24?");
+  EXPECT_ERROR(describe_fields_file(folder.file("empty")), InputError, "?25?");
 }
 
 TEST(DescribeFields, TellsWhyAFileCannotBeRead) {
   const TemporaryFolder folder;
-  EXPECT_THROW(describe_fields_file(folder.file("missing")), SystemError);
-  EXPECT_THROW(describe_fields_file(folder.path()), SystemError);
+  EXPECT_ERROR(describe_fields_file(folder.file("missing")), SystemError, "?26?");
+  EXPECT_ERROR(describe_fields_file(folder.path()), SystemError, "?27?");
 }
 
 TEST(DescribeFields, RefusesAFileThatIsCutShortAnywhere) {
@@ -94,7 +95,8 @@ TEST(DescribeFields, RefusesAFileThatIsCutShortAnywhere) {
   const std::string bytes = read_bytes(write_frames(folder, 2));
   for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 97) {
     write_bytes(folder.file("cut"), bytes.substr(0, size));
-    EXPECT_THROW(describe_fields_file(folder.file("cut")), InputError) << size << " of " << bytes.size() << " bytes";
+    EXPECT_ERROR(describe_fields_file(folder.file("cut")), InputError, "?28?")
+        << size << " of " << bytes.size() << " bytes";
   }
 }
 

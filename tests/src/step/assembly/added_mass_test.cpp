@@ -6,6 +6,7 @@
 
 #include "src/error.hpp"
 #include "src/step/run/run.hpp"
+#include "tests/expect_error.hpp"
 #include "tests/src/step/scene.hpp"
 
 namespace percuss::test {
@@ -77,7 +78,7 @@ TEST(AddedMass, StaysWhereMassIsScaledDuringTheRun) {
 }
 
 TEST(AddedMass, OfAnUnknownSideIsRefused) {
-  EXPECT_THROW(Scene(write_deck("added_mass: [{nodes: block/lid, mass: 3}]\n")), InputError);
+  EXPECT_ERROR(Scene(write_deck("added_mass: [{nodes: block/lid, mass: 3}]\n")), InputError, "?40?");
 }
 
 }  // namespace percuss::test

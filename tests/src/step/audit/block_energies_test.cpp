@@ -15,6 +15,7 @@
 #include "src/error.hpp"
 #include "src/step/audit/part_energies.hpp"
 #include "src/step/run/run.hpp"
+#include "tests/expect_error.hpp"
 #include "tests/src/step/eroding_scene.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
@@ -244,9 +245,9 @@ TEST(BlockEnergies, RefuseNamesThatAreNoBlocks) {
   const CoatedBar bar;
   const auto take = [&](const char* blocks) { take_block_row(Scene(make_coated(bar, blocks, "time: {end: 1}\n"))); };
   EXPECT_NO_THROW(take("[core, bar/low]"));
-  EXPECT_THROW(take("[cores]"), InputError);
-  EXPECT_THROW(take("[bar/cores]"), InputError);
-  EXPECT_THROW(take("[bar]"), InputError);
+  EXPECT_ERROR(take("[cores]"), InputError, "?42?");
+  EXPECT_ERROR(take("[bar/cores]"), InputError, "?43?");
+  EXPECT_ERROR(take("[bar]"), InputError, "?44?");
 }
 
 }  // namespace percuss::test

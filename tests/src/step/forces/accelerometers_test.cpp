@@ -12,6 +12,7 @@
 
 #include "src/error.hpp"
 #include "src/step/run/run.hpp"
+#include "tests/expect_error.hpp"
 #include "tests/src/step/forces/force_scenes.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
@@ -158,7 +159,7 @@ TEST(Accelerometers, GoOnAfterARestart) {
 TEST(Accelerometers, RefuseNodesOnALine) {
   std::string deck = make_cube("", "velocity: [0, 0, 0]", "");
   deck.replace(deck.find("near: [1, 1, 0]"), 15, "near: [-1, 0, 0]");
-  EXPECT_THROW(Scene{deck}, InputError);
+  EXPECT_ERROR(Scene{deck}, InputError, "?33?");
 }
 
 }  // namespace percuss::test

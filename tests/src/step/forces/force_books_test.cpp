@@ -12,6 +12,7 @@
 
 #include "src/error.hpp"
 #include "src/step/run/run.hpp"
+#include "tests/expect_error.hpp"
 #include "tests/src/step/forces/force_scenes.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
@@ -300,10 +301,11 @@ output: {history: {forces: [)" +
            force + "]}}\n";
   };
   EXPECT_NO_THROW(Scene(make("{name: f, support: a/x_min}")));
-  EXPECT_THROW(Scene(make("{name: f, support: a/x_max}")), InputError);
+  EXPECT_ERROR(Scene(make("{name: f, support: a/x_max}")), InputError, "?34?");
   EXPECT_NO_THROW(Scene(make("{name: f, section: {point: [0.5, 0, 0], normal: x}}")));
   for (const char* x : {"-0.1", "1.1", "0"}) {
-    EXPECT_THROW(Scene(make(std::string("{name: f, section: {point: [") + x + ", 0, 0], normal: x}}")), InputError)
+    EXPECT_ERROR(Scene(make(std::string("{name: f, section: {point: [") + x + ", 0, 0], normal: x}}")), InputError,
+                 "?35?")
         << x;
   }
 }

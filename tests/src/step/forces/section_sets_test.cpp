@@ -8,6 +8,7 @@
 
 #include "src/error.hpp"
 #include "src/step/run/run.hpp"
+#include "tests/expect_error.hpp"
 #include "tests/src/step/forces/force_scenes.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
@@ -153,10 +154,10 @@ TEST(SectionSets, RefuseSetsThatAreNone) {
     return make_bar(bar.path()) + "      - {name: f, section: {" + section + "}}\n";
   };
   EXPECT_NO_THROW(Scene(make("nodes: bar/row, elements: [layer, bar/ahead]")));
-  EXPECT_THROW(Scene(make("nodes: bar/raw, elements: layer")), InputError);
-  EXPECT_THROW(Scene(make("nodes: bar/row, elements: bar/later")), InputError);
-  EXPECT_THROW(Scene(make("nodes: bar/row, elements: bar/row")), InputError);
-  EXPECT_THROW(Scene(make("nodes: {inside: [[0, 0, 0], [0.1, 1, 1]]}, elements: layer")), InputError);
+  EXPECT_ERROR(Scene(make("nodes: bar/raw, elements: layer")), InputError, "?36?");
+  EXPECT_ERROR(Scene(make("nodes: bar/row, elements: bar/later")), InputError, "?37?");
+  EXPECT_ERROR(Scene(make("nodes: bar/row, elements: bar/row")), InputError, "?38?");
+  EXPECT_ERROR(Scene(make("nodes: {inside: [[0, 0, 0], [0.1, 1, 1]]}, elements: layer")), InputError, "?39?");
 }
 
 }  // namespace percuss::test

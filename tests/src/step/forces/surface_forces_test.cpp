@@ -7,6 +7,7 @@
 
 #include "src/error.hpp"
 #include "src/step/run/run.hpp"
+#include "tests/expect_error.hpp"
 #include "tests/src/step/forces/force_scenes.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
@@ -183,8 +184,8 @@ TEST(SurfaceForces, RefuseWhatIsNoSurface) {
     return text + "      - {name: f, contact: " + sides + "}\n";
   };
   EXPECT_NO_THROW(Scene(make("[a/x_max, b]")));
-  EXPECT_THROW(Scene(make("[a/x_mox, b]")), InputError);
-  EXPECT_THROW(Scene(make("[{name: a/x_max, inside: [[5, 5, 5], [6, 6, 6]]}, b]")), InputError);
+  EXPECT_ERROR(Scene(make("[a/x_mox, b]")), InputError, "?31?");
+  EXPECT_ERROR(Scene(make("[{name: a/x_max, inside: [[5, 5, 5], [6, 6, 6]]}, b]")), InputError, "?32?");
 }
 
 }  // namespace percuss::test

@@ -10,6 +10,7 @@
 #include "src/step/results/fields/element_fields.hpp"
 #include "src/step/results/history.hpp"
 #include "src/step/run/run.hpp"
+#include "tests/expect_error.hpp"
 #include "tests/src/step/scene.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
@@ -100,12 +101,12 @@ TEST(MaterialPoints, HaveTheVelocityOfASpinningBody) {
 TEST(MaterialPoints, OutsideOfAllElementsAreRefused) {
   for (const char* point : {"points: [{name: p, at: [1.5, 0.3, 0.3]}]", "points: [{name: p, at: [8.4, 0.3, 0.03]}]",
                             "points: [{name: p, at: [0.4, 0.3, 0.2], part: tets}]"})
-    EXPECT_THROW(
+    EXPECT_ERROR(
         {
           const Scene scene(make_spinning(point));
           History::check_points(scene.deck, scene.chunked, scene.model);
         },
-        InputError)
+        InputError, "?45?")
         << point;
 }
 
@@ -152,8 +153,8 @@ TEST(ElementPoints, ThatAnElementDoesNotHaveAreRefused) {
     History::check_points(scene.deck, scene.chunked, scene.model);
   };
   EXPECT_NO_THROW(try_point("point: 8", "point: 7"));
-  EXPECT_THROW(try_point("point: 8", "point: 9"), InputError);
-  EXPECT_THROW(try_point("part: sheet, point: 3", "part: sheet, point: 4"), InputError);
+  EXPECT_ERROR(try_point("point: 8", "point: 9"), InputError, "?46?");
+  EXPECT_ERROR(try_point("part: sheet, point: 3", "part: sheet, point: 4"), InputError, "?47?");
 }
 
 }  // namespace percuss::test

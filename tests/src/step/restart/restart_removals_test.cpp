@@ -16,6 +16,7 @@
 #include "src/output/frame/earlier_results.hpp"
 #include "src/output/history_file.hpp"
 #include "src/step/run/run.hpp"
+#include "tests/expect_error.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
 namespace percuss::test {
@@ -169,7 +170,7 @@ TEST(StopRequest, BeforeTheFirstFileEndsTheRunWithoutOne) {
   RunOptions options;
   options.out_dir = folder.path();
   request_stop();
-  EXPECT_THROW(run_scene(parse_deck(cube, "deck.yaml"), options), Interruption);
+  EXPECT_ERROR(run_scene(parse_deck(cube, "deck.yaml"), options), Interruption, "interrupted");
   forget_stop_request();
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }

@@ -11,6 +11,7 @@
 #include "src/error.hpp"
 #include "src/output/summary.hpp"
 #include "src/step/run/run.hpp"
+#include "tests/expect_error.hpp"
 #include "tests/src/output/hdf5_file_view.hpp"
 #include "tests/src/step/scene.hpp"
 #include "tests/verification/support/run_deck.hpp"
@@ -36,7 +37,7 @@ struct Written {
   std::vector<double> steps, times, displacement;
 };
 Written run_to_failure(const std::string& deck, const std::string& folder) {
-  EXPECT_THROW(run_scene(parse_deck(deck, "deck.yaml"), {folder, Progress::Style::quiet}), RunError);
+  EXPECT_ERROR(run_scene(parse_deck(deck, "deck.yaml"), {folder, Progress::Style::quiet}), RunError, "?48?");
   if (Communicator::world().rank() != 0) return {};
   const Hdf5FileView file(folder + "/fields.vtkhdf");
   return {file.numbers("percuss/step"), file.numbers("VTKHDF/Steps/Values"),
@@ -47,11 +48,11 @@ Written run_to_failure(const std::string& deck, const std::string& folder) {
 /// later.
 Written run_twice_to_failure(const std::string& text, const std::string& folder, double time) {
   const Deck deck = parse_deck(text, "deck.yaml", {fmt::format("output.checkpoint={{every: {:.17g}}}", time)});
-  EXPECT_THROW(run_scene(deck, {folder, Progress::Style::quiet}), RunError);
+  EXPECT_ERROR(run_scene(deck, {folder, Progress::Style::quiet}), RunError, "?49?");
   RunOptions options{folder, Progress::Style::quiet};
   options.restart = folder + "/checkpoint.h5";
   options.goes_on_in_place = options.may_remove_results = true;
-  EXPECT_THROW(run_scene(deck, options), RunError);
+  EXPECT_ERROR(run_scene(deck, options), RunError, "?50?");
   if (Communicator::world().rank() != 0) return {};
   const Hdf5FileView file(folder + "/fields.vtkhdf");
   return {file.numbers("percuss/step"), file.numbers("VTKHDF/Steps/Values"),
