@@ -1,4 +1,7 @@
 """Figures of docs/stability.md, as SVG."""
+import pathlib
+import sys
+
 import matplotlib
 
 matplotlib.use("Agg")
@@ -7,6 +10,8 @@ matplotlib.rcParams["svg.fonttype"] = "none"
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+from images import shrink  # noqa: E402
 from scenes import MESH_STEP, OFF  # noqa: E402
 
 COLORS = {"assumed strain": "#0b6fb8", "stiffness": "#d1495b", "viscous": "#e09f3e", "full": "#3c8d53",
@@ -17,6 +22,7 @@ VERDICTS = {"good": "#3c8d53", "coarse": "#e6c229", "named": "#5b8fd6", "hang": 
 def save(figure, path):
     path.parent.mkdir(parents=True, exist_ok=True)
     figure.savefig(path, metadata={"Date": None}, bbox_inches="tight")
+    shrink(path)
     plt.close(figure)
 
 

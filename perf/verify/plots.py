@@ -1,8 +1,14 @@
 """Figures of the page: small vector graphics, the same bytes for the same numbers."""
+import pathlib
+import sys
+
 import matplotlib
 
 matplotlib.use("svg")
 import matplotlib.pyplot as plt  # noqa: E402
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+from images import shrink  # noqa: E402
 
 plt.rcParams.update({
     "svg.fonttype": "none", "svg.hashsalt": "percuss", "font.size": 9, "axes.grid": True, "grid.alpha": 0.3,
@@ -18,5 +24,6 @@ def save(path, draw, width, height):
     draw(axes)
     figure.tight_layout()
     figure.savefig(path, metadata={"Date": None}, facecolor="white")
+    shrink(path)
     figure.savefig(path.with_suffix(".png"), dpi=80, facecolor="white")
     plt.close(figure)
