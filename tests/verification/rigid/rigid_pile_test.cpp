@@ -76,6 +76,7 @@ TEST(RigidPile, AtRestStandsOnTheFloorWithItsWeight) {
   const Outcome run = run_deck(describe_pile(3, 3, 0.3, 0.75));
   EXPECT_NEAR(find_mean(run.history, "fz:f", 0.05), 27 * mass * g, 1e-2 * 27 * mass * g);
   EXPECT_LT(run.summary.energy.kinetic, 1e-5 * 27 * mass * g * 0.01);
+  EXPECT_FALSE(has_warning(run, "unconverged_contact"));
 }
 
 // The momentum of what falls and rebounds is that of gravity and of the floor, at every time.
