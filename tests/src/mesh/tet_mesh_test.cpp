@@ -146,7 +146,7 @@ TEST(TetFile, WithAnElementInsideOutIsRefusedWithItsId) {
       read_mesh_text("*KEYWORD\n*NODE\n10,0.,0.,0.\n50,1.,0.,0.\n60,0.,1.,0.\n80,0.,0.,-1.\n*ELEMENT_SOLID\n"
                      "       7       1      10      50      60      80      80      80      80      80\n*END\n",
                      "turned.k"),
-      InputError, "?5?");
+      InputError, "element 7 at (0.25, 0.25, -0.25) is inverted");
 }
 
 }  // namespace

@@ -254,7 +254,7 @@ TEST(Summary, KeepsTheOldFileWhenTheNewOneCannotBeWritten) {
   const std::string path = folder.file("summary.json");
   write_summary(path, make_summary());
   std::filesystem::create_directory(path + ".tmp");  // where the new one would be prepared
-  EXPECT_ERROR(write_summary(path, Summary{}), SystemError, "?14?");
+  EXPECT_ERROR(write_summary(path, Summary{}), SystemError, "cannot write");
   EXPECT_EQ(read_summary(path).status, "completed");
 }
 
@@ -280,8 +280,8 @@ TEST(Summary, NamesTheKeyThatHasAWrongType) {
 }
 
 TEST(Summary, TellsWhyAFileCannotBeRead) {
-  EXPECT_ERROR(read_summary("/dev/null/summary.json"), SystemError, "?15?");
-  EXPECT_ERROR(read_summary("/"), SystemError, "?16?");
+  EXPECT_ERROR(read_summary("/dev/null/summary.json"), SystemError, "Not a directory");
+  EXPECT_ERROR(read_summary("/"), SystemError, "Is a directory");
 }
 
 }  // namespace

@@ -185,7 +185,7 @@ conditions: [{nodes: cube/x_min, fixed: [x, y, z]}, {nodes: cube/x_max, velocity
 output: {history: {}}
 audit: {max_energy_error: 10}
 )";
-  EXPECT_ERROR(run_deck(deck), RunError, "?1?");
+  EXPECT_ERROR(run_deck(deck), RunError, "has inverted");
   const Outcome run = run_deck(deck, {"materials.m.failure={inverted: true}"});
   EXPECT_EQ(run.summary.status, "completed");
   EXPECT_EQ(run.summary.eroded.elements, 1);

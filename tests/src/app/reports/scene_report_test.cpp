@@ -113,7 +113,7 @@ TEST(OutputFolder, IsMadeAndTakenWhenItHoldsNothingButALock) {
   folder.write("a/b/run.lock", "");
   EXPECT_NO_THROW(check_folder_is_empty(made));
   folder.write("a/b/summary.json.tmp", "");
-  EXPECT_ERROR(check_folder_is_empty(made), InputError, "?6?");
+  EXPECT_ERROR(check_folder_is_empty(made), InputError, "it is not empty");
   EXPECT_ERROR(make_output_folder(folder.write("file", "")), InputError, "not a folder");
 }
 

@@ -143,7 +143,8 @@ TEST(OnePointFile, OfLsDynaHasSolidsWithCollapsedEdges) {
 }
 
 TEST(OnePointFile, OfLsDynaIsRefusedWhereTheEdgesLeaveNoSolid) {
-  EXPECT_ERROR(read_mesh_text(keyword_nodes + "7,1,10,10,20,30,40,50,60,60\n*END\n", "one.k"), InputError, "?2?");
+  EXPECT_ERROR(read_mesh_text(keyword_nodes + "7,1,10,10,20,30,40,50,60,60\n*END\n", "one.k"), InputError,
+               "of 6 nodes");
 }
 
 /// Ids of the nodes of the only face of a set.

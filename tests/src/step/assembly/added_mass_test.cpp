@@ -78,7 +78,8 @@ TEST(AddedMass, StaysWhereMassIsScaledDuringTheRun) {
 }
 
 TEST(AddedMass, OfAnUnknownSideIsRefused) {
-  EXPECT_ERROR(Scene(write_deck("added_mass: [{nodes: block/lid, mass: 3}]\n")), InputError, "?40?");
+  EXPECT_ERROR(Scene(write_deck("added_mass: [{nodes: block/lid, mass: 3}]\n")), InputError,
+               "part 'block' has no side 'lid'");
 }
 
 }  // namespace percuss::test

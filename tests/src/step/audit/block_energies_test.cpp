@@ -245,9 +245,9 @@ TEST(BlockEnergies, RefuseNamesThatAreNoBlocks) {
   const CoatedBar bar;
   const auto take = [&](const char* blocks) { take_block_row(Scene(make_coated(bar, blocks, "time: {end: 1}\n"))); };
   EXPECT_NO_THROW(take("[core, bar/low]"));
-  EXPECT_ERROR(take("[cores]"), InputError, "?42?");
-  EXPECT_ERROR(take("[bar/cores]"), InputError, "?43?");
-  EXPECT_ERROR(take("[bar]"), InputError, "?44?");
+  EXPECT_ERROR(take("[cores]"), InputError, "is called 'cores'");
+  EXPECT_ERROR(take("[bar/cores]"), InputError, "'cores'");
+  EXPECT_ERROR(take("[bar]"), InputError, "'bar'");
 }
 
 }  // namespace percuss::test

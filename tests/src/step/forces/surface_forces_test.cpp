@@ -184,8 +184,8 @@ TEST(SurfaceForces, RefuseWhatIsNoSurface) {
     return text + "      - {name: f, contact: " + sides + "}\n";
   };
   EXPECT_NO_THROW(Scene(make("[a/x_max, b]")));
-  EXPECT_ERROR(Scene(make("[a/x_mox, b]")), InputError, "?31?");
-  EXPECT_ERROR(Scene(make("[{name: a/x_max, inside: [[5, 5, 5], [6, 6, 6]]}, b]")), InputError, "?32?");
+  EXPECT_ERROR(Scene(make("[a/x_mox, b]")), InputError, "'x_mox'");
+  EXPECT_ERROR(Scene(make("[{name: a/x_max, inside: [[5, 5, 5], [6, 6, 6]]}, b]")), InputError, "has no");
 }
 
 }  // namespace percuss::test

@@ -106,7 +106,7 @@ TEST(MaterialPoints, OutsideOfAllElementsAreRefused) {
           const Scene scene(make_spinning(point));
           History::check_points(scene.deck, scene.chunked, scene.model);
         },
-        InputError, "?45?")
+        InputError, "holds the place")
         << point;
 }
 
@@ -153,8 +153,9 @@ TEST(ElementPoints, ThatAnElementDoesNotHaveAreRefused) {
     History::check_points(scene.deck, scene.chunked, scene.model);
   };
   EXPECT_NO_THROW(try_point("point: 8", "point: 7"));
-  EXPECT_ERROR(try_point("point: 8", "point: 9"), InputError, "?46?");
-  EXPECT_ERROR(try_point("part: sheet, point: 3", "part: sheet, point: 4"), InputError, "?47?");
+  EXPECT_ERROR(try_point("point: 8", "point: 9"), InputError, "is point 9 of an element that has 8");
+  EXPECT_ERROR(try_point("part: sheet, point: 3", "part: sheet, point: 4"), InputError,
+               "is point 4 of an element that has 3");
 }
 
 }  // namespace percuss::test
