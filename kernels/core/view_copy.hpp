@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "kernels/core/contract.hpp"
 #include "kernels/core/small_space.hpp"
 
 namespace percuss {
@@ -26,6 +27,7 @@ void copy_values(const To& to, const From& from) {
   if constexpr (copies_on_host) {
     using Value = typename To::non_const_value_type;
     static_assert(std::is_same_v<Value, typename From::non_const_value_type> && std::is_trivially_copyable_v<Value>);
+    PERCUSS_EXPECT(to.span_is_contiguous() && from.span_is_contiguous());
     if (to.span() != from.span()) Kokkos::abort("percuss::copy_values: the views differ in size");
     copy_bytes(to.data(), from.data(), to.span() * sizeof(Value));
   } else {
@@ -37,6 +39,7 @@ void copy_values(const To& to, const From& from) {
 template <class View>
 void set_values(const WorkSpace& space, const View& view, const typename View::value_type& value) {
   if constexpr (copies_on_host) {
+    PERCUSS_EXPECT(view.span_is_contiguous());
     constexpr std::int64_t block = 4096;
     const auto count = static_cast<std::int64_t>(view.span());
     auto* const data = view.data();

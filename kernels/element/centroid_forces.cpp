@@ -57,7 +57,9 @@ struct CentroidKernel {
                             const Lanes& mass) const {
     VectorModes<Lanes> a;
     gather_places(scratch, shape, lanes, a);
-    const Vector3<Lanes> gravity{Lanes(motion.gravity[0]), Lanes(motion.gravity[1]), Lanes(motion.gravity[2])};
+    const double share = motion.dt_mean > 0 ? 1 : fluids.start_weight(i);
+    const Vector3<Lanes> gravity{Lanes(share * motion.gravity[0]), Lanes(share * motion.gravity[1]),
+                                 Lanes(share * motion.gravity[2])};
     Vector3<Lanes> weight = gravity - find_accelerations(fluids.first_element(i) + lanes.first, lanes.count,
                                                          gather_mean(scratch, shape, lanes));
     weight = find_weight_share(a, mass, weight, gravity, Lanes(fluids.bulk_modulus(i))) * weight;

@@ -13,6 +13,7 @@ struct FluidChunks {
   Array<int> first_element;    // [count + 1] elements of fluids are numbered by chunk
   Array<int> first_slot;       // [count]
   Array<double> bulk_modulus;  // [count] at the start
+  Array<double> start_weight;  // [count] share of gravity that counts at time 0: 1: the fluid rests, 0: it falls
 
   int count() const { return static_cast<int>(list.extent(0)); }
 };
@@ -26,7 +27,7 @@ using CentroidSums = Kokkos::View<double * [CentroidSum::count], Kokkos::LayoutR
 /// What the forces at n+1 follow from.
 struct CentroidMotion {
   Rows3<const double> x, v;  // at n+1, at n+1/2
-  double dt_mean = 0;        // from n-1/2 to n+1/2; 0: nothing is accelerated
+  double dt_mean = 0;        // from n-1/2 to n+1/2; 0: time 0, nothing is accelerated
   double gravity[3] = {};    // at n+1
   double center[3] = {};     // about which moments are taken
   Array<const double> mass;  // [elements]

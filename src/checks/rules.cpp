@@ -100,6 +100,7 @@ const std::vector<CheckRule>& check_rules() {
       {"idle_load", check_idle_loads, Needs::mesh},
       {"flat_membrane", check_flat_membranes, Needs::mesh},
       {"standing_fluid", check_standing_fluids},
+      {"fluid_surface", check_fluid_surfaces, Needs::mesh},
       {"symmetry_plane", check_symmetry_planes, Needs::mesh},
       {"damping_size", check_damping_size, Needs::mesh},
       {"wall_place", check_wall_place, Needs::mesh},

@@ -127,6 +127,7 @@ std::vector<Warning> check_short_pulse(const CheckedScene& scene);
 std::vector<Warning> check_idle_loads(const CheckedScene& scene);
 std::vector<Warning> check_flat_membranes(const CheckedScene& scene);
 std::vector<Warning> check_standing_fluids(const CheckedScene& scene);
+std::vector<Warning> check_fluid_surfaces(const CheckedScene& scene);
 std::vector<Warning> check_symmetry_planes(const CheckedScene& scene);
 std::vector<Warning> check_damping_size(const CheckedScene& scene);
 std::vector<Warning> check_idle_forces(const CheckedScene& scene);

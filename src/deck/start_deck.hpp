@@ -2,6 +2,7 @@
 // How a run comes to its state at time 0: dynamic relaxation under the loads of that time, preloads of sections, states
 // from files, fluids at rest.
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -57,6 +58,13 @@ struct StartDeck {
   std::vector<HydrostaticDeck> hydrostatic;
   std::vector<PreloadDeck> preloads;
   std::vector<StartFieldsDeck> fields;
+
+  /// The entry that has a part by its name; nullptr: none.
+  const HydrostaticDeck* find_hydrostatic(const std::string& part) const {
+    for (const HydrostaticDeck& fluid : hydrostatic)
+      if (std::find(fluid.parts.begin(), fluid.parts.end(), part) != fluid.parts.end()) return &fluid;
+    return nullptr;
+  }
 };
 
 }  // namespace percuss

@@ -46,7 +46,7 @@ Actions make_actions(const Deck& deck, const ChunkedMesh& chunked, const Model& 
   if (model.welds.any()) add(std::make_unique<WeldStage>(model));
   if (model.constraints.any()) add(std::make_unique<ConstraintStage>(model));
   if (model.embedded.any()) add(std::make_unique<EmbeddedStage>(chunked, model));
-  if (model.has_fluids) add(std::make_unique<FluidStage>(deck, chunked, model));
+  if (model.has_fluids) add(std::make_unique<FluidStage>(chunked, model));
   add(std::make_unique<LoadStage>(deck, model));
   if (model.scales_in_run) add(std::make_unique<MassScaler>(deck, chunked, model));
   add(std::make_unique<WallMotions>(deck, contact));

@@ -68,12 +68,6 @@ void set_difference(const Vectors& to, int slot, const Array<const double>& now,
       KOKKOS_LAMBDA(int i) { to(slot, i) = now(i) - last(i); });
 }
 
-void copy_values(const Array<const double>& from, const Array<double>& to) {
-  parallel_for(
-      "contact::anderson_last", RangeOf(ExecSpace(), 0, static_cast<int>(to.extent(0))),
-      KOKKOS_LAMBDA(int i) { to(i) = from(i); });
-}
-
 }  // namespace
 
 AndersonWindow::AndersonWindow(int n, const Array<const double>& weight)
@@ -92,8 +86,8 @@ void AndersonWindow::store_difference(const Array<const double>& f, const Array<
     set_difference(df_, next_, f, f_last_);
     set_difference(dg_, next_, g, g_last_);
   }
-  copy_values(f, f_last_);
-  copy_values(g, g_last_);
+  copy_values(f_last_, f);
+  copy_values(g_last_, g);
 }
 
 /// gamma of the normal equations by Cholesky; differences that depend on earlier ones get none.

@@ -18,6 +18,7 @@
 #include "src/mesh/describe_joints.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/output/warning_log.hpp"
+#include "src/step/elements/element_mass.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {
@@ -165,8 +166,7 @@ std::vector<PartReport> describe_parts(const Deck& deck, const ChunkedMesh& chun
   std::vector<ExactSum> masses(count);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const ElementBlock& block = mesh.block_of(e);
-    const double density = deck.materials.at(at(block.material)).density;
-    masses[at(block.part)].add(density * find_element_volume(mesh, e));
+    masses[at(block.part)].add(find_element_mass(deck, mesh, e));
     ++counts[at(block.part)];
   }
   for (std::size_t p = 0; p < count; ++p) {

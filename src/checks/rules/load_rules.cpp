@@ -8,7 +8,6 @@
 #include "src/checks/rules.hpp"
 #include "src/checks/who_touches.hpp"
 #include "src/deck/asked_for.hpp"
-#include "src/deck/laws/fluid_at_rest.hpp"
 #include "src/deck/laws/law_traits.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
@@ -140,24 +139,6 @@ std::string find_load_across(const Deck& deck, std::size_t part, std::size_t axi
   return gravity.is_constant() && gravity(0) == 0 ? "" : "gravity";
 }
 
-/// Whether a condition holds nodes of a part along the axis that gravity is nearest to.
-bool is_held_below(const Deck& deck, std::size_t part) {
-  const Vec3 gravity = deck.gravity.at(0);
-  const auto steeper = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  const auto axis =
-      static_cast<std::size_t>(std::max_element(gravity.begin(), gravity.end(), steeper) - gravity.begin());
-  return std::any_of(deck.conditions.begin(), deck.conditions.end(), [&](const ConditionDeck& condition) {
-    const std::vector<std::size_t> parts = find_named_parts(deck, condition.where);
-    return condition.active[axis] && std::find(parts.begin(), parts.end(), part) != parts.end();
-  });
-}
-
-bool begins_at_rest(const Deck& deck, const PartDeck& part) {
-  return std::any_of(deck.start.hydrostatic.begin(), deck.start.hydrostatic.end(), [&](const HydrostaticDeck& fluid) {
-    return std::find(fluid.parts.begin(), fluid.parts.end(), part.name) != fluid.parts.end();
-  });
-}
-
 }  // namespace
 
 std::vector<Warning> check_idle_loads(const CheckedScene& scene) {
@@ -195,25 +176,6 @@ std::vector<Warning> check_flat_membranes(const CheckedScene& scene) {
                             "there, and falls freely until it has bulged): start from rest by start: {{relaxation: "
                             "{{}}}}, give it tension, or take shells",
                             part.name, load)));
-  }
-  return warnings;
-}
-
-std::vector<Warning> check_standing_fluids(const CheckedScene& scene) {
-  const Deck& deck = scene.deck;
-  std::vector<Warning> warnings;
-  if (deck.start.relaxation || deck.gravity.at(0) == Vec3{}) return warnings;
-  for (std::size_t p = 0; p < deck.parts.size(); ++p) {
-    const PartDeck& part = deck.parts[p];
-    const MaterialDeck& material = find_material(deck, part);
-    if (part.rigid || !find_traits(material).needs_equation_of_state || !can_rest(material, 0)) continue;
-    if (!is_held_below(deck, p) || begins_at_rest(deck, part)) continue;
-    warnings.push_back(warn_at(
-        deck, "standing_fluid", "parts." + part.name,
-        fmt::format("part '{0}' is a fluid that is held against gravity and begins without pressure (its weight comes "
-                    "as a wave, which rings on): give start: {{hydrostatic: [{{parts: [{0}], surface: POINT}}]}}, or "
-                    "start: {{relaxation: {{}}}}",
-                    part.name)));
   }
   return warnings;
 }

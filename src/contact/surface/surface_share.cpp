@@ -191,11 +191,9 @@ void set_lists(const Mesh& mesh, const Communicator& ranks, SurfaceShare& share)
   share.total_edges = totals[3];
 }
 
-/// largest_offset: 0: there are no sheets.
-SpringRows find_spring_rows(const ContactDeck& contact, double largest_offset) {
-  using Enforcement = ContactDeck::Enforcement;
-  if (contact.enforcement == Enforcement::penalty) return SpringRows::all;
-  return contact.enforcement == Enforcement::automatic && largest_offset > 0 ? SpringRows::of_sheets : SpringRows::none;
+SpringRows find_spring_rows(const Deck& deck) {
+  if (!may_have_contact_springs(deck)) return SpringRows::none;
+  return deck.contact.enforcement == ContactDeck::Enforcement::penalty ? SpringRows::all : SpringRows::of_sheets;
 }
 
 }  // namespace
@@ -236,7 +234,7 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
   if (has_edges) set_edges(mesh, exchange.ranks(), edges, edge_surfaces, share);
   set_lists(mesh, exchange.ranks(), share);
   set_offsets(mesh, exchange.ranks(), share);
-  share.springs = find_spring_rows(deck.contact, share.largest_offset);
+  share.springs = find_spring_rows(deck);
   return share;
 }
 

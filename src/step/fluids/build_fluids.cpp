@@ -20,6 +20,11 @@ bool has_own_centroid(const Deck& deck, const ElementBlock& block) {
          find_traits(deck.materials[at(block.material)]).needs_equation_of_state;
 }
 
+/// After a relaxation, or with the pressure of its depth; another fluid begins to fall.
+bool rests_at_start(const Deck& deck, const std::string& part) {
+  return deck.start.relaxation || deck.start.find_hydrostatic(part) != nullptr;
+}
+
 /// One more than the largest of all ranks.
 std::int64_t find_next_order(const LocalSlots& slots, const Communicator& ranks) {
   std::int64_t order = 0;
@@ -39,7 +44,7 @@ void build_fluids(const Deck& deck, const ChunkedMesh& chunked, LocalSlots& slot
   const auto nodes = to_host(model.chunks.slots_to_nodes);
   const auto first_slot = to_host(model.chunks.first_slot);
   std::vector<int> list, elements{0}, own_slots;
-  std::vector<double> moduli;
+  std::vector<double> moduli, weights;
   for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
     const Chunk& chunk = chunked.chunks[c];
     const ElementBlock& block = find_block(chunked, chunk);
@@ -47,12 +52,14 @@ void build_fluids(const Deck& deck, const ChunkedMesh& chunked, LocalSlots& slot
     list.push_back(static_cast<int>(c));
     elements.push_back(elements.back() + chunk.element_count);
     own_slots.push_back(static_cast<int>(slots.nodes.size()));
+    weights.push_back(rests_at_start(deck, deck.parts[at(block.part)].name) ? 1 : 0);
     moduli.push_back(find_moduli(deck.materials[at(block.material)]).lambda);
     slots.nodes.insert(slots.nodes.end(), &nodes(at(first_slot(c))), nodes.data() + first_slot(c + 1));
     slots.orders.resize(slots.nodes.size(), order + chunk.number);
   }
   model.fluids = {to_view("percuss::fluid_chunks", list), to_view("percuss::first_fluid_elements", elements),
-                  to_view("percuss::first_fluid_slots", own_slots), to_view("percuss::fluid_moduli", moduli)};
+                  to_view("percuss::first_fluid_slots", own_slots), to_view("percuss::fluid_moduli", moduli),
+                  to_view("percuss::fluid_weights", weights)};
 }
 
 }  // namespace percuss

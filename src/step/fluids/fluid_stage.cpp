@@ -20,9 +20,8 @@ ChunkRows list_rows(const Model& model, const HostMirror<Array<int>>& first) {
 
 }  // namespace
 
-FluidStage::FluidStage(const Deck& deck, const ChunkedMesh& chunked, const Model& model)
-    : begins_at_rest_(deck.start.relaxation.has_value() || !deck.start.hydrostatic.empty()),
-      chunked_(chunked),
+FluidStage::FluidStage(const ChunkedMesh& chunked, const Model& model)
+    : chunked_(chunked),
       model_(model),
       velocity_("percuss::fluid_velocities", at(to_host(model.fluids.first_element)(at(model.fluids.count())))),
       sums_("percuss::centroid_sums", at(model.fluids.count())) {}
@@ -51,7 +50,7 @@ void FluidStage::advance(State& state, double dt) {
   motion.dt_mean = dt > 0 ? dt_mean_ : 0;
   const Gravity gravity = find_gravity(model_, state.time + dt);
   for (int k = 0; k < 3; ++k) {
-    motion.gravity[k] = dt > 0 || begins_at_rest_ ? gravity.g[k] : 0;
+    motion.gravity[k] = gravity.g[k];
     motion.center[k] = model_.mass_center[at(k)];
   }
   motion.mass = state.element_mass;

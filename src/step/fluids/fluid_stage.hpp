@@ -12,7 +12,7 @@ namespace percuss {
 class FluidStage : public Action {
  public:
   /// Mesh and model outlive this.
-  FluidStage(const Deck& deck, const ChunkedMesh& chunked, const Model& model);
+  FluidStage(const ChunkedMesh& chunked, const Model& model);
 
   void begin_step(const State& state, const StepTimes& times) override;
   void book_motion(State& state, const StepTimes& times) override;
@@ -26,7 +26,6 @@ class FluidStage : public Action {
  private:
   static constexpr int chunks_of_a_block = 128;
 
-  const bool begins_at_rest_;  // after a relaxation or with its pressure; else without, so that all begins to fall
   const ChunkedMesh& chunked_;
   const Model& model_;
   double dt_mean_ = 0;      // of the step

@@ -71,10 +71,11 @@ class Depth {
   double gravity_;
 };
 
-const HydrostaticDeck* find_fluid(const Deck& deck, const std::string& part) {
-  for (const HydrostaticDeck& fluid : deck.start.hydrostatic)
-    if (std::find(fluid.parts.begin(), fluid.parts.end(), part) != fluid.parts.end()) return &fluid;
-  return nullptr;
+const MaterialDeck& find_material(const Deck& deck, const Mesh& mesh, const std::string& part) {
+  const std::vector<ElementBlock>& blocks = mesh.elements.blocks;  // all ranks know them all
+  const auto block =
+      std::find_if(blocks.begin(), blocks.end(), [&](const auto& of) { return deck.parts[at(of.part)].name == part; });
+  return deck.materials[at(block->material)];
 }
 
 }  // namespace
@@ -82,11 +83,12 @@ const HydrostaticDeck* find_fluid(const Deck& deck, const std::string& part) {
 std::optional<PressedFluid> find_hydrostatic_state(const Deck& deck, const Mesh& mesh, std::size_t element) {
   if (deck.start.hydrostatic.empty()) return std::nullopt;
   const ElementBlock& block = mesh.block_of(element);
-  const HydrostaticDeck* const fluid = find_fluid(deck, deck.parts[at(block.part)].name);
+  const HydrostaticDeck* const fluid = deck.start.find_hydrostatic(deck.parts[at(block.part)].name);
   if (fluid == nullptr) return std::nullopt;
   const Depth depth(deck, *fluid);
-  return find_fluid_at_rest(deck.materials[at(block.material)], fluid->pressure, depth.gravity(),
-                            depth(find_centroid(mesh, element)));
+  const MaterialDeck& material = deck.materials[at(block.material)];
+  return find_fluid_at_rest(material, fluid->pressure,
+                            material.density * depth.gravity() * depth(find_centroid(mesh, element)));
 }
 
 void check_surfaces(const Deck& deck, const Mesh& mesh) {
@@ -100,11 +102,18 @@ void check_surfaces(const Deck& deck, const Mesh& mesh) {
         ends = {std::max(ends[0], -here), std::max(ends[1], here)};
       }
       all_reduce(find_ranks(mesh), Reduce::largest, ends);
-      if (ends[0] <= tolerance * (ends[0] + ends[1])) continue;
-      throw InputError(
-          fmt::format("{}: error: part '{}' rises {:.6g} above the surface of its fluid (which has no pressure there): "
-                      "give the point of start.hydrostatic.surface at the top of the part or above",
-                      deck.where(fluid.place), part, ends[0]));
+      if (ends[0] > tolerance * (ends[0] + ends[1]))
+        throw InputError(
+            fmt::format("{}: error: part '{}' rises {:.6g} above the surface of its fluid (which has no pressure "
+                        "there): give the point of start.hydrostatic.surface at the top of the part or above",
+                        deck.where(fluid.place), part, ends[0]));
+      const MaterialDeck& material = find_material(deck, mesh, part);
+      if (!can_rest(material, fluid.pressure, material.density * depth.gravity() * ends[1]))
+        throw InputError(fmt::format(
+            "{}: error: part '{}' cannot rest at {:.6g} below the surface of its fluid (the equation of state of "
+            "material '{}' does not carry the weight above without heat, or only below a fifth of its volume): check "
+            "its constants, the density and gravity",
+            deck.where(fluid.place), part, ends[1], material.name));
     }
   }
 }

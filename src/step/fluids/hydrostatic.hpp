@@ -14,7 +14,8 @@ namespace percuss {
 /// element is of no such fluid.
 std::optional<PressedFluid> find_hydrostatic_state(const Deck& deck, const Mesh& mesh, std::size_t element);
 
-/// Throws InputError, the same on all ranks, if a part rises above its surface. Collective.
+/// Throws InputError, the same on all ranks, if a part rises above its surface, or cannot carry the weight above.
+/// Collective.
 void check_surfaces(const Deck& deck, const Mesh& mesh);
 
 }  // namespace percuss

@@ -118,6 +118,25 @@ void RigidStage::upload(const State& state, double dt) {
   copy_values(steps_, steps);
 }
 
+/// Takes the change of prescribed motion in the first step away from the velocities of nodes, whose mirror image at
+/// time 0 then has it at rest: its work on what it touches is the mean of the motion before and after, as that of the
+/// body.
+void RigidStage::leave_out_held_motion(const State& state) {
+  const auto steps = Kokkos::create_mirror_view(steps_);
+  copy_values(steps, steps_);
+  for (std::size_t b = 0; b < next_.size(); ++b) {
+    const RigidState& now = state.bodies[b];
+    for (int k = 0; k < 3; ++k) {
+      const auto dof = static_cast<std::size_t>(k);
+      if (holds(model_.rigid.bodies[b], now, dof)) set(steps(b).velocity, k, get(now.velocity, k));
+      if (holds(model_.rigid.bodies[b], now, dof + 3)) set(steps(b).spin, k, get(now.spin, k));
+    }
+  }
+  const Array<BodyStep> free("percuss::free_steps", steps_.extent(0));
+  copy_values(free, steps);
+  set_rigid_velocities(ExecSpace(), model_.rigid.nodes, free, state.v);
+}
+
 /// The bodies at n-1/2; in the first step, as those of nodes, the mirror image at time 0 of what next_ is undamped.
 std::vector<RigidState> RigidStage::find_bodies_before(const State& state) const {
   std::vector<RigidState> before = state.bodies;
@@ -160,10 +179,14 @@ void RigidStage::predict(State& state, const StepTimes& times) {
   growths_.assign(state.bodies.size(), 1);
   next_ = predict_momenta(model_, state, forces_, times.dt_mean);
   place_bodies(state, times.dt);
+  if (state.step == 0 && is_moved_) leave_out_held_motion(state);
 }
 
 void RigidStage::change_velocities(State& state, const StepTimes& times) {
-  if (damping_coefficients_.empty()) return;
+  if (damping_coefficients_.empty()) {
+    if (state.step == 0 && is_moved_) set_rigid_velocities(ExecSpace(), model_.rigid.nodes, steps_, state.v);
+    return;
+  }
   before_ = find_bodies_before(state);
   next_ = predict_momenta(model_, state, forces_, times.dt_mean);
   for (std::size_t b = 0; b < next_.size(); ++b) damp(state, b, times.dt_mean);

@@ -65,6 +65,7 @@ class RigidStage : public Action {
   /// contact: what each body got from it; empty: nothing.
   void correct(State& state, const std::vector<Wrench>& contact, double dt);
   void set_spins(const State& state) const;
+  void leave_out_held_motion(const State& state);
   void damp(const State& state, std::size_t index, double dt_mean);
   std::vector<RigidState> find_bodies_before(const State& state) const;
   Wrench find_damping_impulse(const State& state, std::size_t index) const;

@@ -116,7 +116,7 @@ TEST_F(PersistentExchangeTest, RefusesWhatWouldMixUpMessages) {
   const ExchangePlan own{{{world.rank(), 0, 1}}, {{world.rank(), 0, 1}}}, one_more{{{world.rank() + 1, 0, 100}}, {}};
   std::vector<Parcel> one(1), other(1);
   EXPECT_ERROR(data.prepare<Parcel>(own, one, other), std::logic_error, "has a run of the rank itself");
-  EXPECT_ERROR(data.prepare<Parcel>(one_more, one, other), std::logic_error, "buffers of 1 and 1");
+  EXPECT_ERROR(data.prepare<Parcel>(one_more, one, other), std::logic_error, "are too short for an exchange");
 }
 
 }  // namespace percuss::test

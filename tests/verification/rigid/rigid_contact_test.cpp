@@ -160,4 +160,30 @@ output: {history: {every: 1.0e-6}}
   EXPECT_LT(std::abs(run.summary.energy.error), 1e-4);  // as of a bar without rigid parts at this step
 }
 
+// A press that is driven from rest and lies on the block from the start: its work is that of the block from the first
+// step on, whatever it weighs.
+TEST(RigidContact, APressThatStartsFlushDoesTheWorkOfWhatItPresses) {
+  for (const char* const mass : {"1.0e-3", "1.0e5"}) {
+    for (const char* const motion : {"displacement: {z: {expression: -0.1 * t^3}}",
+                                     "velocity: {z: {expression: -0.3 * t^2}}", "velocity: {z: -0.01}"}) {
+      const Outcome run = run_deck(fmt::format(R"(
+time: {{end: 0.1}}
+parts:
+  block: {{box: {{size: [1, 1, 1], cells: [4, 4, 4]}}, material: soft}}
+  press: {{box: {{size: [2, 2, 0.2], cells: [1, 1, 1]}}, at: [-0.5, -0.5, 1], material: soft, rigid: {{mass: {}, fixed: [x, y, rx, ry, rz]}}}}
+materials: {{soft: {{model: elastic, density: 1000, youngs_modulus: 1.0e7, poissons_ratio: 0}}}}
+conditions: [{{nodes: block/z_min, fixed: [z]}}, {{body: press, {}}}]
+contact: {{surfaces: all}}
+output: {{history: {{every: 0, forces: [{{name: held, support: block/z_min}}, {{name: press, support: press}}]}}}}
+)",
+                                               mass, motion));
+      double worst = 0;
+      for (std::size_t i = 1; i < run.history.rows(); ++i)
+        worst = std::max(worst, std::abs(run.history["energy_error"][i]));
+      EXPECT_LT(worst, 1e-3) << mass << ", " << motion;
+      EXPECT_LT(std::abs(run.summary.energy.contact), 1e-2 * run.summary.energy.external) << mass << ", " << motion;
+    }
+  }
+}
+
 }  // namespace percuss::test::rigid_contact_test

@@ -12,18 +12,13 @@ namespace {
 
 constexpr double density = 1000;
 
-/// At a depth below a surface with this pressure; weight: density g depth.
-template <class State>
-PressedFluid rest(const State& state, double pressure, double weight) {
-  return press(state, density, press_to(state, density, pressure), [&](double j) { return weight / j; });
-}
-
 /// Both sides of dp = (weight / J) ds and de = -p dJ by central differences about half of the depth.
 template <class State>
 void compare_with_differences(const State& state, double pressure, double weight) {
   constexpr double part = 1e-3;
-  const PressedFluid at = rest(state, pressure, 0.5 * weight), above = rest(state, pressure, (0.5 - part) * weight),
-                     below = rest(state, pressure, (0.5 + part) * weight);
+  const PressedFluid at = press(state, density, pressure, 0.5 * weight),
+                     above = press(state, density, pressure, (0.5 - part) * weight),
+                     below = press(state, density, pressure, (0.5 + part) * weight);
   const double rise = find_pressure(state, density, below).pressure - find_pressure(state, density, above).pressure;
   EXPECT_NEAR(rise, 2 * part * weight / at.j, 2e-5 * rise);
   const double work = -find_pressure(state, density, at).pressure * (below.j - above.j);
@@ -37,7 +32,7 @@ TEST(PressedFluid, OfALinearStateHasItsClosedForm) {
   for (const double pressure : {0.0, 1e5, 1e8}) {
     for (const double weight : {5e3, 4e7, 4e8}) {  // half a metre, 4 km, 40 km
       const double exact = (2.2e9 + pressure) * std::exp(weight / 2.2e9) - 2.2e9;
-      const PressedFluid at = rest(water, pressure, weight);
+      const PressedFluid at = press(water, density, pressure, weight);
       EXPECT_NEAR(find_pressure(water, density, at).pressure, exact, 1e-6 + 1e-9 * exact);
       // e = K (J - 1 - ln J)
       EXPECT_NEAR(at.energy, 2.2e9 * (at.j - 1 - std::log(at.j)), 1e-5 + 1e-9 * exact);
@@ -52,7 +47,8 @@ TEST(PressedFluid, OfAGasIsAnAdiabaticAtmosphere) {
   for (const double pressure : {5e4, 1e5, 2e5}) {
     const double density_there = density * std::pow(pressure / start, 1 / gamma), height = 0.3 * pressure;
     const double exact = pressure * std::pow(1 + share * height / pressure, 1 / share);
-    const double found = find_pressure(gas, density, rest(gas, pressure, height * density / density_there)).pressure;
+    const double found =
+        find_pressure(gas, density, press(gas, density, pressure, height * density / density_there)).pressure;
     EXPECT_NEAR(found, exact, 1e-6 * exact);
   }
 }
@@ -69,6 +65,31 @@ TEST(PressedFluid, OfEveryStateHasTheWeightAboveAndTheFirstLaw) {
   table.heat.rows = 1;
   table.heat.y[0] = 1;
   compare_with_differences(table, 1e8, 1e9);
+}
+
+/// Straight lines of p over ln J: on one of slope -k, dp/dJ = -k / J and dp/ds = weight / J, so that J falls by weight
+/// over k.
+TEST(PressedFluid, OfATableWithKinksHasTheWeightAbove) {
+  TabulatedState table;
+  table.cold.rows = 4;
+  const double x[] = {-0.5, -0.01, 0, 0.1}, y[] = {2e8, 2e4, 0, -2e5};
+  for (int i = 0; i < 4; ++i) table.cold.x[i] = x[i], table.cold.y[i] = y[i];
+  table.heat.rows = 1;
+  const double soft = 2e6, stiff = (2e8 - 2e4) / 0.49;
+  const double of_soft = soft * (1 - std::exp(-0.01));  // weight down to the kink
+  for (const double more : {0.5, 1.0, 1e3}) {
+    const double j = std::exp(-0.01) - more * of_soft / stiff;
+    const PressedFluid at = press(table, density, 0, (1 + more) * of_soft);
+    EXPECT_NEAR(at.j, j, 1e-9);
+    const double exact = 2e4 - stiff * (std::log(j) + 0.01);
+    EXPECT_NEAR(find_pressure(table, density, at).pressure, exact, 1e-6 * exact) << more;
+  }
+}
+
+TEST(PressedFluid, BeyondItsHighestPressureThereIsNone) {
+  const PolynomialState soft{0, 4e6, -4e7, 0, 0, 0, 0, 0};  // at most 1e5, at 1 / J = 1.05
+  EXPECT_TRUE(std::isnan(press(soft, density, 0, 2e5).j));
+  EXPECT_NEAR(press(soft, density, 9e4, 0).j, 1 / (1.05 - std::sqrt(1e4 / 4e7)), 1e-9);
 }
 
 }  // namespace percuss::test

@@ -86,7 +86,7 @@ TEST_F(CheckpointFile, OfAnotherSceneIsRefused) {
   EXPECT_ERROR(reader.rows("chunks/some", other.some, 2, other.numbers), InputError,
                "has 12 values in the checkpoint (this scene has 24)");
   EXPECT_ERROR(reader.rows("chunks/none", other.some, 2, other.numbers), InputError,
-               "the checkpoint has no chunks/none");
+               "cannot open dataset chunks/none");
 }
 
 /// What loading says of contents that were changed before they were saved.

@@ -246,8 +246,8 @@ TEST(BlockEnergies, RefuseNamesThatAreNoBlocks) {
   const auto take = [&](const char* blocks) { take_block_row(Scene(make_coated(bar, blocks, "time: {end: 1}\n"))); };
   EXPECT_NO_THROW(take("[core, bar/low]"));
   EXPECT_ERROR(take("[cores]"), InputError, "is called 'cores'");
-  EXPECT_ERROR(take("[bar/cores]"), InputError, "'cores'");
-  EXPECT_ERROR(take("[bar]"), InputError, "'bar'");
+  EXPECT_ERROR(take("[bar/cores]"), InputError, "is called 'bar/cores'");
+  EXPECT_ERROR(take("[bar]"), InputError, "is called 'bar'");
 }
 
 }  // namespace percuss::test

@@ -154,9 +154,9 @@ TEST(SectionSets, RefuseSetsThatAreNone) {
     return make_bar(bar.path()) + "      - {name: f, section: {" + section + "}}\n";
   };
   EXPECT_NO_THROW(Scene(make("nodes: bar/row, elements: [layer, bar/ahead]")));
-  EXPECT_ERROR(Scene(make("nodes: bar/raw, elements: layer")), InputError, "'raw'");
-  EXPECT_ERROR(Scene(make("nodes: bar/row, elements: bar/later")), InputError, "'later'");
-  EXPECT_ERROR(Scene(make("nodes: bar/row, elements: bar/row")), InputError, "'row'");
+  EXPECT_ERROR(Scene(make("nodes: bar/raw, elements: layer")), InputError, "'bar/raw' (did you mean 'bar/row'?)");
+  EXPECT_ERROR(Scene(make("nodes: bar/row, elements: bar/later")), InputError, "is called 'bar/later'");
+  EXPECT_ERROR(Scene(make("nodes: bar/row, elements: bar/row")), InputError, "is called 'bar/row'");
   EXPECT_ERROR(Scene(make("nodes: {inside: [[0, 0, 0], [0.1, 1, 1]]}, elements: layer")), InputError,
                "have none of its nodes");
 }
