@@ -85,8 +85,7 @@ TEST_F(CheckpointFile, OfAnotherSceneIsRefused) {
   other.numbers.resize(other.numbers.size() + 2 * other.some.counts.size());
   EXPECT_ERROR(reader.rows("chunks/some", other.some, 2, other.numbers), InputError,
                "has 12 values in the checkpoint (this scene has 24)");
-  EXPECT_ERROR(reader.rows("chunks/none", other.some, 2, other.numbers), InputError,
-               "cannot open dataset chunks/none");
+  EXPECT_ERROR(reader.rows("chunks/none", other.some, 2, other.numbers), InputError, "cannot open dataset chunks/none");
 }
 
 /// What loading says of contents that were changed before they were saved.
