@@ -1,5 +1,5 @@
 #pragma once
-// Which tests of a program run: those of some of its sources.
+// The tests of a program that run: those of some of its sources.
 
 #include <gtest/gtest.h>
 

@@ -103,7 +103,7 @@ def _find_winding(points, triangles):
 
 
 def find_distances(points, triangles):
-    """Of each point from the closest triangle: from its plane where the foot lies within, else from its edges."""
+    """The distance of each point from the closest triangle: from its plane where the foot lies within, else from its edges."""
     a, b, c = (triangles[:, k] for k in range(3))
     best = np.full(len(points), np.inf)
     for p, q in ((a, b), (b, c), (c, a)):

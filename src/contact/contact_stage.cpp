@@ -76,7 +76,7 @@ RowMeeting ContactStage::Impl::meet(const ContactMotion& motion, int num_touches
   return {acts_always || (candidates > 0 && meeting.any_rows), same_steps > 1};
 }
 
-/// Which ties have reached their strength. time: of the end of the step.
+/// The ties that have reached their strength. time: of the end of the step.
 void ContactStage::Impl::judge_ties(double time, ContactReport& report) {
   report.failed_ties = breaking.count();
   if (!breaking.can_fail() || !report.enforced) return;

@@ -110,7 +110,7 @@ struct ContactDeck {
   std::vector<PairFrictionDeck> frictions;  // the first that fits is instead of `friction`
   Overlap overlap = Overlap::accept;        // what happens to overlap found at the start
   /// How impulses are found: by the iterated penalty force to a share of the predicted penetration, all rows as one
-  /// system with complementarity, by springs on the penetration, or as kinematic with springs between sheets.
+  /// system with complementarity, by springs on the penetration, or as kinematic with springs at sheets.
   enum class Enforcement { kinematic, lagrange, penalty, automatic };
   Enforcement enforcement = Enforcement::automatic;
   double tolerance = 1e-3;            // of what the iteration leaves, a share of the largest predicted penetration

@@ -1,5 +1,5 @@
 #pragma once
-// Which decks have springs of contact.
+// Decks that have springs of contact.
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 
 namespace percuss {
 
-/// Whether springs may push rows of contact: all of them (penalty), or those between sheets, if the deck has any.
+/// Whether springs may push rows of contact: all of them (penalty), or those of sheets, if the deck has any.
 inline bool may_have_contact_springs(const Deck& deck) {
   using Enforcement = ContactDeck::Enforcement;
   if (deck.contact.enforcement == Enforcement::penalty) return true;

@@ -1,5 +1,5 @@
 #pragma once
-// Which rigid parts joints hold together.
+// Rigid parts that joints hold together.
 
 #include <algorithm>
 #include <cstddef>

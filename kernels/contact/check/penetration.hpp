@@ -1,5 +1,5 @@
 #pragma once
-// Which contact nodes lie inside another body (or another part of their own), and how far apart are contact nodes and
+// Contact nodes that lie inside another body (or another part of their own), and how far apart are contact nodes and
 // the faces of other bodies in front of them? For the start of a run and for audits.
 //
 // From places alone: a node is inside a body by its least depth behind the faces of that body that it projects on.

@@ -62,7 +62,7 @@ KOKKOS_INLINE_FUNCTION KnownFaces load_known_faces(const FaceState& faces, const
   return known;
 }
 
-/// Which history slot of the node a contact with this face would continue: that of the face itself, else that of a
+/// The history slot of the node that a contact with this face would continue: that of the face itself, else that of a
 /// smooth neighbour.
 KOKKOS_INLINE_FUNCTION void find_record(const ContactSurface& surface, const FaceState& faces, const KnownFaces& known,
                                         Touch& touch) {

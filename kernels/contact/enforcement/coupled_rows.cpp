@@ -156,7 +156,7 @@ Matrix sort_columns(const Matrix& a) {
   return transpose(transpose(rows, num_columns), rows.num_rows()).make("contact::A", num_columns);
 }
 
-/// Which slots of a row are of rigid bodies. A row within one body moves nothing.
+/// The slots of a row that belong to rigid bodies. A row within one body moves nothing.
 template <class Places, class Rows, class Responses>
 void set_bodies(const Places& of_place, const Rows& x, const Responses& responses, CoupledRow& coupled) {
   const ContactRow& row = coupled.row;

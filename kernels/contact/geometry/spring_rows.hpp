@@ -1,10 +1,10 @@
 #pragma once
-// Which contacts give way: contact.enforcement as rows and checks see it.
+// The contacts that give way: contact.enforcement as rows and checks see it.
 
 namespace percuss {
 
-/// Which rows springs push: none (kinematic, lagrange); those of nodes that carry the whole thickness of a sheet, on
-/// both sides, which would stop with all that moves (automatic); or all (penalty).
+/// The rows that springs push: none (kinematic, lagrange); those of a sheet with anything but a wall, as its nodes
+/// carry the whole thickness, which would stop with all that moves (automatic); or all (penalty).
 enum class SpringRows : unsigned char { none, of_sheets, all };
 
 }  // namespace percuss

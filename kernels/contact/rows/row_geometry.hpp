@@ -100,8 +100,9 @@ struct SpringChoice {
         spring(system.at.spring),
         body_of_place(system.bodies.count() > 0 ? Array<const int>(system.bodies.of_place) : Array<const int>()) {}
 
-  KOKKOS_INLINE_FUNCTION bool operator()(RowKind kind, const int* place, int count) const {
+  KOKKOS_INLINE_FUNCTION bool operator()(RowKind kind, const int* place, int count, double offset) const {
     if (rows == SpringRows::all) return true;
+    if (!(offset > 0)) return false;  // no sheet
     if (rows == SpringRows::none || kind == RowKind::wall || kind == RowKind::tie) return false;
     bool are_rigid = body_of_place.extent(0) > 0;  // these among themselves have no waves that throw them back
     for (int slot = 0; slot < count; ++slot) {

@@ -273,7 +273,7 @@ struct RowMaker {
   /// A touch as its row takes it. place: of its nodes; has_spring: out.
   KOKKOS_FUNCTION RowTouch load_touch(int r, const int* place, bool& has_spring) const {
     RowTouch touch = touches(r);
-    has_spring = choose_spring(touch.kind, place, touch.count);
+    has_spring = choose_spring(touch.kind, place, touch.count, touch.offset);
     if (has_spring && inputs.springs == SpringRows::of_sheets)
       measure_between_sheets(at, inputs.motion.dt, place, touch);
     return touch;
@@ -286,7 +286,7 @@ struct RowMaker {
     const int count = r < num_touches ? touches(r).count : 1;
     for (int slot = 0; slot < count; ++slot) row.place[slot] = place_of_entry(r * row_nodes + slot);
     if (r >= num_touches) {
-      row.has_spring = choose_spring(RowKind::wall, row.place, count);
+      row.has_spring = choose_spring(RowKind::wall, row.place, count, 0);
       fill_wall_row(walls, history, inputs, at, near_walls(r - num_touches), row);
     } else if (touches(r).kind == RowKind::tie) {
       make_tie_row(touches(r), row);

@@ -11,7 +11,7 @@ KOKKOS_INLINE_FUNCTION double find_extent(const Rows2<const int>& ends, const Ro
   return d < 0 ? -d : d;
 }
 
-/// Which hits of an edge's points make pairs with it.
+/// The hits of an edge's points that make pairs with it.
 struct PairFilter {
   EdgeSurface surface;
   EdgeQuery query;

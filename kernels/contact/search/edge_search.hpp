@@ -1,5 +1,5 @@
 #pragma once
-// Which feature edges come near which: the location phase of edge pairs.
+// Pairs of feature edges that come near each other: the location phase of edge pairs.
 //
 // Points-in-box again: an edge is seen as points, the middles of equal pieces, and captures in a box. Pieces are of
 // about the same length on all edges of a scene, so that one long edge does not widen the boxes of all others.

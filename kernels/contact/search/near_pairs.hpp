@@ -1,5 +1,5 @@
 #pragma once
-// Which candidate pairs can come into contact soon: the others are left out of the check until surfaces have moved.
+// Candidate pairs that can come into contact soon: the others are left out of the check until surfaces have moved.
 //
 // A capture box is axis-aligned, wide where a face is oblique, and its margin lasts for many steps. Most candidate
 // pairs are therefore out of reach of each other for long, as the two sides of a thin wall are. A node that is farther

@@ -38,7 +38,7 @@ KOKKOS_INLINE_FUNCTION double find_friction(const ContactSurface& surface, int n
   return surface.pair_friction(surface.node_class(node) * surface.num_classes + surface.face_class(face));
 }
 
-/// Which of the deck's pairs lets a node touch a face.
+/// The pair of the deck that lets a node touch a face.
 KOKKOS_INLINE_FUNCTION int find_pair(const ContactSurface& surface, int node, int face) {
   return surface.pair_number(surface.node_class(node) * surface.num_classes + surface.face_class(face));
 }

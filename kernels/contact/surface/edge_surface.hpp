@@ -15,7 +15,7 @@ namespace percuss {
 template <class T>
 using Rows2 = Kokkos::View<T* [2], Kokkos::LayoutRight, MemSpace>;
 
-/// Which feature edges pass between the nodes of which lines.
+/// The feature edges that pass between the nodes of lines.
 struct EdgeScale {
   int part = 0;
   double length = 0;  // of a feature at the start; of a line, what features that pass between its nodes are longer
@@ -57,15 +57,16 @@ KOKKOS_INLINE_FUNCTION double find_edge_offset(const EdgeSurface& surface, int e
   return surface.offset.extent(0) > 0 ? surface.offset(edge) : 0;
 }
 
-/// Whether springs push two edges, or the nodes and faces beside them.
-KOKKOS_INLINE_FUNCTION bool gives_way(const EdgeSurface& surface, int a, int b) {
-  return surface.springs == SpringRows::all || (surface.springs == SpringRows::of_sheets &&
-                                                find_edge_offset(surface, a) > 0 && find_edge_offset(surface, b) > 0);
-}
-
 /// Whether an edge is a beam, which has no faces: its first wings are its ends.
 KOKKOS_INLINE_FUNCTION bool is_beam(const EdgeSurface& surface, int edge) {
   return surface.wings(edge, 0) == surface.ends(edge, 0) && surface.wings(edge, 1) == surface.ends(edge, 1);
+}
+
+/// Whether springs push two edges, or the nodes and faces beside them.
+KOKKOS_INLINE_FUNCTION bool gives_way(const EdgeSurface& surface, int a, int b) {
+  if (surface.springs != SpringRows::of_sheets) return surface.springs == SpringRows::all;
+  const bool a_is_thick = find_edge_offset(surface, a) > 0, b_is_thick = find_edge_offset(surface, b) > 0;
+  return is_beam(surface, a) || is_beam(surface, b) ? a_is_thick && b_is_thick : a_is_thick || b_is_thick;
 }
 
 /// Whether a beam has an end that no other beam continues: its second wing there is the other end.
@@ -109,7 +110,7 @@ KOKKOS_INLINE_FUNCTION double find_edge_friction(const EdgeSurface& surface, int
   return surface.pair_friction(surface.edge_class(a) * surface.num_classes + surface.edge_class(b));
 }
 
-/// Which of the deck's pairs lets two edges touch.
+/// The pair of the deck that lets two edges touch.
 KOKKOS_INLINE_FUNCTION int find_edge_pair_number(const EdgeSurface& surface, int a, int b) {
   return surface.pair_number(surface.edge_class(a) * surface.num_classes + surface.edge_class(b));
 }

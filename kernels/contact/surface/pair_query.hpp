@@ -52,7 +52,7 @@ KOKKOS_FORCEINLINE_FUNCTION std::uint32_t find_lanes_with_friction(const Array<c
   return near;
 }
 
-/// Which nodes make pairs with which faces.
+/// The rule by which nodes make pairs with faces.
 struct NodeFaceRule {
   ContactSurface surface;
 
@@ -96,7 +96,7 @@ struct NodeFaceRule {
   }
 };
 
-/// Which points of edges make pairs with which edges, as far as is seen at a glance; edges may still be joined.
+/// The rule by which points of edges make pairs with edges, as far as is seen at a glance; edges may still be joined.
 struct EdgePairRule {
   static constexpr int line = smooth_line;  // lines and ridges never meet
 

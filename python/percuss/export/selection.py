@@ -1,4 +1,4 @@
-"""Which frames and fields are written."""
+"""The frames and fields that are written."""
 
 from percuss.results.arrays import Array
 from percuss.results.fields import Fields

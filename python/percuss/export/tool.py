@@ -134,7 +134,7 @@ def list_files(arguments: argparse.Namespace, selection: Selection, run: Run, na
 
 
 def remove_earlier_states(folder: str, force: bool) -> bool:
-    """Of an earlier d3plot of this tool: readers would take what is left for later states.
+    """Removes the files of an earlier d3plot of this tool: readers would take what is left for later states.
     Whether files of the family may be replaced."""
     from percuss.files import check_target
 

@@ -68,7 +68,7 @@ NESTED = ("loads", "contact", "start", "output", "elements", "time")  # sections
 
 
 class Origins:
-    """Which card has made each entry of the deck, by its path there: (section, key or number...).
+    """The card that has made each entry of the deck, by its path there: (section, key or number...).
     It is noted after each card by what is new."""
 
     def __init__(self) -> None:

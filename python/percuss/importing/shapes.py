@@ -108,7 +108,7 @@ def is_crossed(x: list[Vector]) -> bool:
 
 
 class FaceOwners:
-    """Which element a face of some nodes belongs to, to know which way its nodes run."""
+    """The element that a face of some nodes belongs to, to know which way its nodes run."""
 
     def __init__(self, model: Model, nodes: set[int]):
         self._model = model

@@ -1,4 +1,4 @@
-"""Which systems of units fit the metals of a model. A hint: nothing is converted, nothing assumed."""
+"""The systems of units that fit the metals of a model. A hint: nothing is converted, nothing assumed."""
 
 from .model import Model
 

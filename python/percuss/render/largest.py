@@ -21,7 +21,7 @@ def find_largest(fields: Fields, name: str, frame: int, drawn: Array) -> tuple[i
 
 
 class Largest:
-    """Of a frame. Attributes: value (in the unit of the file), point [3] (None where find_largest finds none),
+    """The largest value of a frame. Attributes: value (unit of the file), point [3] (None where find_largest has none),
     text ('element 12 of part 'plate'')."""
 
     def __init__(self, fields: Fields, coloring: Coloring, frame: int, drawn: Array) -> None:

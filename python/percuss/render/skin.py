@@ -55,7 +55,7 @@ class Skin:
         return np.asarray(first + share * (second - first))
 
     def highest_of_corners(self, values: Array) -> Array:
-        """Of whole numbers of nodes, between which there is nothing, the highest of each polygon's corners."""
+        """Values are whole numbers of nodes, between which there is nothing, the highest of each polygon's corners."""
         nearer = np.where(self.share < 0.5, self.ends[:, 0], self.ends[:, 1])
         if not len(self.owners):
             return np.empty(0)

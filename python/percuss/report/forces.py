@@ -115,7 +115,7 @@ def find_balances(history: History, sets_have_masses: bool = False) -> list[Bala
 
 
 def _add(found: list[Balance], history: History, whole: str, what: str, shares: list[str]) -> None:
-    """Of the row in which they differ most."""
+    """Adds the balance of the row in which they differ most."""
     if not shares or whole not in history:
         return
     total = np.sum([np.asarray(history[name]) for name in shares], axis=0)

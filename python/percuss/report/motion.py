@@ -21,7 +21,7 @@ FLAT = 1e-6           # second over first singular value: the nodes are on a lin
 
 @dataclass
 class Motion:
-    """Of the nodes of a part that belong to active elements of the last frame. Means over these nodes."""
+    """The motion of the nodes of a part that belong to active elements of the last frame. Means over these nodes."""
 
     part: str
     moved: Array  # displacement

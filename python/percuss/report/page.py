@@ -109,7 +109,7 @@ def _list_findings(run: Run) -> str:
 
 
 def _make_pictures(runs: list[Run], labels: list[str], options: Any) -> str:
-    """Of each run with fields; runs that show one field share the range of its colours."""
+    """Pictures of each run with fields; runs that show one field share the range of its colours."""
     drawn = [(run, label) for run, label in zip(runs, labels) if run.has_fields]
     names = [_choose_field(run.fields, options.field) for run, _ in drawn]
     worsts = [None if name in CATEGORIES else Worst(run.fields, name) for (run, _), name in zip(drawn, names)]

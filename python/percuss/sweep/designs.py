@@ -164,7 +164,7 @@ def sample(factors: Sequence[Factor], text: str, seed: int = 0) -> list[Design]:
 
 
 def read_designs(path: str) -> list[Design]:
-    """Of a CSV file: keys in the heading, a design in each line. Lines that begin with # are left out."""
+    """The designs of a CSV file: keys in the heading, a design in each line. Lines that begin with # are left out."""
     lines = [line for line in read_text(path).splitlines() if line.strip() and not line.lstrip().startswith("#")]
     try:
         rows = [[cell.strip() for cell in row] for row in csv.reader(lines, skipinitialspace=True)]

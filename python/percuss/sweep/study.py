@@ -46,7 +46,7 @@ class Result:
 
     @property
     def warnings(self) -> list[dict[str, Any]]:
-        """Those of its run, as summary.json has them."""
+        """The warnings of its run, as summary.json has them."""
         return self.run.warnings if self.run else []
 
 
@@ -227,7 +227,7 @@ class _Work:
 
 
 def _find_status(folder: str, values: dict[str, Any]) -> str:
-    """Of the run in a folder; empty if there is none of this deck."""
+    """The status of the run in a folder; empty if there is none of this deck."""
     try:
         if is_active(folder):
             return "running"

@@ -34,7 +34,7 @@ def describe_arrows(fields: Fields, name: str, shape: Shape, content: Content) -
 
 
 def _spread(places: Array, used: Array, most: int) -> Array:
-    """Of these nodes at most so many, evenly over space: one of each cube of a grid."""
+    """At most so many of these nodes, evenly over space: one of each cube of a grid."""
     if len(used) <= most:
         return used
     low, size = places[used].min(axis=0), np.ptp(places[used], axis=0)

@@ -60,7 +60,7 @@ function addPolygon(found, points, element, shadeOf, colorOf) {
   points.forEach((p, i) => found.lines.push(...p.place.toArray(), ...points[(i + 1) % points.length].place.toArray()));
 }
 
-// Of a node's field the shade between those of the edge's ends.
+// The shade of a node's field between those of the edge's ends.
 function shadeInside(surface, state, element, point) {
   const field = surface.about.fields[state.field], shade = surface.data.fields[state.field][state.frame];
   if (field.place === 'element') return shade[element];

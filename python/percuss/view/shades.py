@@ -36,7 +36,7 @@ def describe_field(fields: Fields, name: str, shape: Shape, content: Content) ->
 
 
 def _tell_largest(fields: Fields, name: str, frame: int, content: Content, factor: float) -> dict[str, Any] | None:
-    """Of all elements that are shown and alive, also of those inside:
+    """The largest of all elements that are shown and alive, also of those inside:
     value, words, place at the start, place in this frame."""
     item, value = find_largest(fields, name, frame, content.kept & fields.alive(frame))
     if item is None:

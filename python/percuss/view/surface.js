@@ -54,7 +54,7 @@ class Surface {
     for (let k = 0, i = 0; k < nodes.length; ++k, i = i === 2 ? 0 : i + 1) nodes[k] = low[i] - middle[i] + scale[i] * (start[k] + swell * (now[k] - start[k]));
   }
 
-  // Which faces are seen changes where elements fail, or parts are hidden.
+  // The faces that are seen change where elements fail, or parts are hidden.
   choose(state) {
     const seen = this.data.visible && this.data.visible[state.frame], key = [...state.hidden].join() + (seen ? `/${state.frame}` : '');
     if (key === this.key) return;

@@ -52,7 +52,7 @@ function addBar(viewer) {
   frame.addEventListener('change', () => set(frame.checked ? findEnds(viewer) : null));
 }
 
-// Of the field on what is shown in this frame; null where it is the same everywhere.
+// The ends of the field on what is shown in this frame; null where it is the same everywhere.
 function findEnds({about, data, surface, state}) {
   const field = about.fields[state.field], shades = data.fields[state.field][state.frame], seen = data.visible && data.visible[state.frame];
   let least = 255, most = -1;
@@ -363,7 +363,7 @@ function tellAt(viewer, cut, ray) {
   return object.found ? tellInside(viewer, object.found, faceIndex, at) : tell(viewer, viewer.surface.shown[Math.floor(faceIndex / 2)], at);
 }
 
-// Of a section: the value of its element, or at the nearest corner of a triangle.
+// The text of a section: the value of its element, or at the nearest corner of a triangle.
 function tellInside({about, data, state}, found, triangle, at) {
   const element = found.elements[triangle], name = about.parts[data.parts[element]];
   const far = [0, 1, 2].map(k => at.distanceTo(new THREE.Vector3().fromArray(found.places, 9 * triangle + 3 * k)));

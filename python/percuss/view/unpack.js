@@ -40,7 +40,7 @@ function readPack(about, bytes) {
 
 const rgb = text => [1, 3, 5].map(i => parseInt(text.slice(i, i + 2), 16) / 255);
 
-// Of bytes 0 to 254, and of 255, which is no number.
+// Colours of the bytes 0 to 254, and of 255, which is no number.
 // first, last: the shades at the ends of the map; what lies beyond has their colours.
 function makeColors(map, first = 0, last = 254) {
   const stops = map.map(rgb), table = [];

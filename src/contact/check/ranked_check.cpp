@@ -39,7 +39,7 @@ void pack_history(const WorkSpace& space, const Array<const int>& nodes, const A
       });
 }
 
-/// Which of the faces here nodes remember: faces is out, [3 nodes], of the nodes in rows. remembered(i, slot): number.
+/// The faces here that nodes remember: faces is out, [3 nodes], of the nodes in rows. remembered(i, slot): number.
 template <class Remembered>
 void find_remembered_faces(const WorkSpace& space, const Array<const int>& rows,
                            const Array<const std::int64_t>& numbers, const Remembered& remembered,

@@ -37,7 +37,7 @@ struct ContactPlan {
   std::int64_t ghost_faces = 0;  // copies of faces beyond one each, of all ranks
 };
 
-/// Which contacts between bodies a plan takes to be there.
+/// The contacts between bodies that a plan takes to be there.
 enum class PlannedTouches {
   start,  // contacts that a check finds at the start
   near    // each node touches the nearest of its candidate faces

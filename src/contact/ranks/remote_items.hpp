@@ -9,7 +9,7 @@
 
 namespace percuss {
 
-/// Which of the named items are requested: in messages, and on this rank.
+/// The named items that are requested: in messages, and on this rank.
 struct ItemPart {
   ExchangePlan request;         // to those who have the items, from those who asked this rank; without this rank
   std::vector<int> asked;       // item k of the answers is the asker's item asked[k]

@@ -45,11 +45,11 @@ class ContactFinder {
   /// touches on all ranks are then the same ones.
   virtual bool has_found_nothing_new() const = 0;
 
-  /// Which of this rank's contact nodes are inside another body, among the candidate pairs, at the positions of a
+  /// The contact nodes of this rank that are inside another body, among the candidate pairs, at the positions of a
   /// motion with dt = 0; ascending.
   virtual std::vector<Penetration> find_penetrations(const SurfaceMotion& motion) = 0;
 
-  /// Which edges whose home this rank is are inside another edge of a higher number; as above.
+  /// The edges whose home is this rank and that are inside another edge of a higher number; as above.
   virtual std::vector<EdgePenetration> find_edge_penetrations(const SurfaceMotion& motion) = 0;
 
   /// The smallest gap between parts among the candidate pairs of this rank, at the positions of a motion with dt = 0.

@@ -246,7 +246,7 @@ void RankedFinder::number_surface(std::vector<FaceTopology> more) {
   reserve(places_, check_.space().surface.num_nodes);
 }
 
-/// Which nodes are in which boxes, on every rank by itself.
+/// Pairs of nodes and the boxes that they are in, on every rank by itself.
 std::int64_t RankedFinder::find_candidate_pairs_here(std::int64_t limit) {
   const ContactSurface& surface = check_.space().surface;
   CandidateList& candidates = check_.space().candidates;

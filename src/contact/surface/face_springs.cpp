@@ -27,7 +27,6 @@ double find_area(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 std::vector<double> find_face_springs(const Mesh& mesh, const Deck& deck, const std::vector<ElementFace>& faces) {
   std::vector<double> springs(faces.size(), 0);
   if (!may_have_contact_springs(deck)) return springs;
-  const bool have_all = deck.contact.enforcement == ContactDeck::Enforcement::penalty;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const auto element = static_cast<std::size_t>(faces[f].element);
     const std::array<int, 4> nodes = mesh.elements.face_nodes(faces[f]);
@@ -35,7 +34,6 @@ std::vector<double> find_face_springs(const Mesh& mesh, const Deck& deck, const 
     const double area = find_area(corner(0), corner(1), corner(2), corner(3));
     const ElementBlock& block = mesh.block_of(element);
     const bool of_shell = mesh.topology_of(element).is_surface();
-    if (!have_all && !of_shell && !deck.parts[static_cast<std::size_t>(block.part)].rigid) continue;
     const double length = of_shell ? mesh.thickness_of(element) : area * area / find_element_volume(mesh, element);
     springs[f] = find_modulus(deck.materials[static_cast<std::size_t>(block.material)], of_shell) * length;
   }

@@ -19,7 +19,7 @@ struct PairRule {
   double friction = -1;  // Coulomb's coefficient; negative: may not touch
 };
 
-/// Which of the deck's pairs of surfaces, walls and ties act now, by their place in the deck. Empty: all do.
+/// The deck's pairs of surfaces, walls and ties that act now, by their place in the deck. Empty: all do.
 struct ActiveContact {
   std::vector<char> pairs, walls, ties;
 

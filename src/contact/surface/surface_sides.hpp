@@ -1,5 +1,5 @@
 #pragma once
-// Which faces around a node lie on the same side of the surface: of a shell's two sides only one continues around a
+// Faces around a node that lie on the same side of the surface: of a shell's two sides only one continues around a
 // fold.
 //
 // A walk over shared edges: two faces on one side of a surface pass their common edge in opposite directions, for any

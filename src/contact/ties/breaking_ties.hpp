@@ -27,7 +27,7 @@ class BreakingTies {
   bool can_fail() const { return failures_.any_left() && !is_held_; }
   const TieStrengths& strengths() const { return failures_.strengths(); }
 
-  /// Which ties have reached their strength, each with a warning. uses: of find_tie_uses(); time: of the end of the
+  /// The ties that have reached their strength, each with a warning. uses: of find_tie_uses(); time: of the end of the
   /// step. Returns how many nodes these are, on all ranks. Collective.
   std::int64_t judge(const Array<const double>& uses, double time);
 

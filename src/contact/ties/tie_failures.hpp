@@ -1,5 +1,5 @@
 #pragma once
-// Which tied nodes fail by the stress on them, and what the others hold.
+// Tied nodes that fail by the stress on them, and what the others hold.
 
 #include <cstdint>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// Which face of a surface is closest to each of some nodes, on any rank. For set-up: a sweep along one axis.
+// The face of a surface that is closest to each of some nodes, on any rank. For set-up: a sweep along one axis.
 
 #include <limits>
 #include <optional>

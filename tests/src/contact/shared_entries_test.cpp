@@ -1,4 +1,4 @@
-// Which entries ranks swap: what one sends is what the other expects, and all have all that lies on their nodes.
+// Entries that ranks swap: what one sends is what the other expects, and all have all that lies on their nodes.
 
 #include "src/contact/enforcement/shared_entries.hpp"
 

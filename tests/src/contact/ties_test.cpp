@@ -1,4 +1,4 @@
-// Which nodes are tied where.
+// Nodes that are tied, and where.
 
 #include "src/contact/ties/ties.hpp"
 

@@ -51,7 +51,7 @@ def tie_layer(deck: AbaqusDeck, slave: str, master: str, place: Place) -> bool:
 
 
 def find_side(deck: AbaqusDeck, layer: Layer, name: str, place: Place) -> int | None:
-    """Which side of a layer a surface is: 0 below, 1 above; None: neither."""
+    """The side of a layer that a surface is: 0 below, 1 above; None: neither."""
     nodes = deck.all_nodes_of_surface(name, place)
     return next((side for side in (0, 1) if nodes and nodes <= layer.nodes(side)), None)
 

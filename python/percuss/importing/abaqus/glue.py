@@ -124,7 +124,7 @@ def read_mix(end: Block) -> Deck:
 
 
 def note_contacts(deck: AbaqusDeck, behavior: Block) -> bool:
-    """Which nodes are bonded: those that touch at the start."""
+    """The nodes that are bonded: those that touch at the start."""
     if behavior.option("ELIGIBILITY") == "ORIGINAL CONTACTS":
         return True
     text = "bonds of nodes that come into contact later"

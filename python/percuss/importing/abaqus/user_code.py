@@ -142,7 +142,7 @@ def read_constants(user: Block) -> list[float]:
 
 
 def read_deletion(states: Block, count: int) -> int:
-    """Which state variable deletes elements."""
+    """The state variable that deletes elements."""
     number = parse_integer(states.option("DELETE"))
     if number is None or not 1 <= number <= count:
         raise BadInput(states.place, f"DELETE={clip(states.option('DELETE'))} of *DEPVAR is none of {count} state "

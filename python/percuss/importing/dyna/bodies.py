@@ -1,4 +1,4 @@
-"""Which rigid body a node belongs to: nodes of rigid parts, nodes added to them, nodes of nodal rigid bodies,
+"""The rigid body that a node belongs to: nodes of rigid parts, nodes added to them, nodes of nodal rigid bodies,
 with and without elements."""
 
 from collections.abc import Iterable

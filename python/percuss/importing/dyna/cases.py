@@ -16,7 +16,7 @@ def find_owner(line: str) -> int:
 
 
 class Cases:
-    """Which cards act: those outside of all inner cases, and those of the inner cases that the chosen *CASE names.
+    """The cards that act: those outside of all inner cases, and those of the inner cases that the chosen *CASE names.
 
     A deck without *CASE, but with inner cases: each of them is a case of its own.
     One case acts by itself; of several --case names one.

@@ -56,7 +56,7 @@ def refuse_lost(deck: KeywordDeck, card: str, lost: list[int], place: Place, wha
 
 
 def axis_of_system(deck: KeywordDeck, id: int) -> list[int] | None:
-    """Which axis of space each axis of a system is, for those that lie along space. None for others."""
+    """The axis of space that each axis of a system is, for those that lie along space. None for others."""
     axes = []
     for axis in deck.systems.get(id, ()):
         along = [d for d in range(3) if abs(abs(axis[d]) - 1) < 1e-9]

@@ -1,4 +1,4 @@
-"""Which *DATABASE_ cards LS-DYNA has: another one is misspelt, and what it asks for would be missing."""
+"""The *DATABASE_ cards that LS-DYNA has: another one is misspelt, and what it asks for would be missing."""
 
 HISTORIES = (
     "ACOUSTIC BEAM BEAM_SET DES DES_SET DISCRETE DISCRETE_SET NODE NODE_LOCAL NODE_SET NODE_SET_LOCAL SEATBELT "

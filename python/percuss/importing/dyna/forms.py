@@ -1,4 +1,4 @@
-"""Which option words each keyword may have. Any other word refuses the card: with it, its lines mean something else.
+"""The option words that each keyword may have. Any other word refuses the card: with it, its lines mean something else.
 
 A name of the table is the beginning of a keyword, as DEFINITIONS and ACTIONS of read.py have it; its options follow in
 any order, with '_' between. A name that ends with '_' needs at least one of them. "A B | C D": A or B must follow,

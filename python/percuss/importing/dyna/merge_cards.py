@@ -52,7 +52,7 @@ def merge_nodes(deck: KeywordDeck) -> None:
 
 
 def find_merged(deck: KeywordDeck, nodes: list[int], tolerance: float) -> dict[int, int]:
-    """Which node stays in place of each that is gone."""
+    """The node that stays in place of each that is gone."""
     merged: dict[int, int] = {}
     kept: dict[tuple[int, ...], list[int]] = {}
     for node in nodes:

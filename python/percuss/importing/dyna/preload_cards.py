@@ -56,7 +56,7 @@ def read_axial_force(deck: KeywordDeck, card: Card) -> None:
 
 
 def mark_bolts(deck: KeywordDeck) -> None:
-    """Which beam has which preload. Call once all sets are known, before beams become blocks."""
+    """The preload of each beam. Call once all sets are known, before beams become blocks."""
     known = set(deck.list_elements("BEAM"))
     for index, row in enumerate(deck.bolts):
         members = deck.list_members("BEAM", row.integer("BSID"), row.place)

@@ -33,7 +33,7 @@ SHIFTED = (
     "INITIAL_VELOCITY_NODE", "INITIAL_VELOCITY_RIGID_BODY",
 )  # fmt: skip
 ALONE = ("INITIAL_VELOCITY",)  # without what else begins so
-# Which offset of *INCLUDE_TRANSFORM a field gets, by its name; ID and N1 to N8 by their card.
+# The offset of *INCLUDE_TRANSFORM that a field gets, by its name; ID and N1 to N8 by their card.
 SHIFTS = {
     **dict.fromkeys(("NID", "NID1", "NID2", "NID3", *(f"N{i}" for i in range(1, 9)), "PNODE"), "IDNOFF"),
     "EID": "IDEOFF", **dict.fromkeys(("PID", "PIDL", "PIDC", "PIDA", "PIDB"), "IDPOFF"),

@@ -191,7 +191,7 @@ def move_wall(deck: KeywordDeck, row: Row, wall: Deck) -> None:
 
 
 def choose_nodes(deck: KeywordDeck, row: Row, wall: Deck, offset: float) -> bool:
-    """Which nodes the wall stops; False if none has an element."""
+    """The nodes that the wall stops; False if none has an element."""
     id, exempt, box = row.integer("NSID"), row.integer("NSIDEX"), row.integer("BOXID")
     birth, death = row.numbers("BIRTH", "DEATH")
     if birth > 0 and wall.keys() & {"speed", "mass"}:

@@ -1,4 +1,4 @@
-// Which texts are numbers, to the last bit.
+// Texts that are numbers, to the last bit.
 
 #include "src/deck/text/number_text.hpp"
 

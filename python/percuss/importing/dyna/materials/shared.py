@@ -124,7 +124,7 @@ def add_rate(law: Deck, deck: KeywordDeck, row: Row, names: tuple[str, str]) -> 
 
 
 def note_rate(deck: KeywordDeck, row: Row) -> None:
-    """Which rate counts."""
+    """The rate that counts."""
     if row.number("VP") != 1:
         deck.ledger.approximated(f"{row.card}.VP", row.place, "the rate of plastic strain counts, as with VP=1")
 
