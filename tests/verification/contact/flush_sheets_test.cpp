@@ -97,6 +97,31 @@ TEST(FlushSheets, KeepTheirEnergyForAnyMeshAndThickness) {
   for (const double ratio : {1.0, 3.0}) expect_kept(run_deck(make_strips("[20, 4]", ratio)));
 }
 
+// A solid block at 1 m/s onto two flush strips, and a strip that falls flat on a block: what contact takes. Bulk
+// viscosity takes a share of the waves in the solid.
+TEST(FlushSheets, GiveASolidItsEnergyBack) {
+  std::string text = make_strips("[20, 4]", 1.5);
+  text.replace(text.find("materials:"), 0,
+               "  block: {box: {size: [20, 20, 5], cells: [4, 4, 2]}, at: [40, 0, 2], material: steel}\n");
+  text.replace(text.find("part: upper, velocity"), 11, "part: block");
+  const Outcome run = run_deck(text);
+  EXPECT_LT(std::abs(run.summary.energy.contact), 1e-3 * run.summary.energy.initial);
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-3);
+  const std::string flat = R"(
+units: mm, t, s
+time: {end: 1e-4}
+parts:
+  block: {box: {size: [20, 20, 10], cells: [4, 4, 4]}, material: steel}
+  sheet: {shell_plate: {size: [10, 10], cells: [3, 3]}, thickness: 1, at: [5, 5, 10.5], material: steel}
+initial: [{part: sheet, velocity: [0, 0, -1000]}]
+conditions: [{nodes: block/z_min, fixed: [x, y, z]}]
+contact: {surfaces: all, friction: 0}
+)";
+  const Outcome fall = run_deck(flat + materials);
+  EXPECT_LT(std::abs(fall.summary.energy.contact), 1e-2 * fall.summary.energy.initial);
+  EXPECT_LT(std::abs(fall.summary.energy.error), 1e-3);
+}
+
 TEST(FlushSheets, KeepTheirEnergyOnARigidBody) {
   std::string text = make_strips("[10, 2]", 1);
   const std::string shells = "lower: {shell_plate: {size: [100, 20], cells: [10, 2]}, thickness: 1.0, material: steel}";
