@@ -63,8 +63,9 @@ writes more during it.
 --restart continues from a checkpoint, on any number of ranks and threads. The
 results are bit-identical to those of an uninterrupted run. It appends to
 history and fields in the checkpoint's folder, or starts new ones in the empty
-folder given by --out. time.end may be later than before. A restart that would
-delete results beyond its own end is refused, unless --force is given.
+folder given by --out. time.end may be later than before;
+the last step before the earlier end was shortened to end there. A restart that
+would delete results beyond its own end is refused, unless --force is given.
 
 Examples:
   percuss run inputs/taylor_bar/deck.yaml

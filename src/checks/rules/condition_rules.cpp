@@ -6,6 +6,8 @@
 #include "kernels/material/pressure/equation_of_state.hpp"
 #include "src/checks/rules.hpp"
 #include "src/deck/asked_for.hpp"
+#include "src/deck/laws/fluid_at_rest.hpp"
+#include "src/deck/laws/law_traits.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {
@@ -263,10 +265,13 @@ std::vector<Warning> check_pressure_size(const CheckedScene& scene) {
   for (std::size_t i = 0; i < scene.deck.pressures.size(); ++i) {
     const PressureDeck& load = scene.deck.pressures[i];
     double stiffness = 0;
-    for (const std::size_t p : find_named_parts(scene.deck, load.where))
-      stiffness = std::max(stiffness, find_wave_modulus(find_material(scene.deck, scene.deck.parts[p])));
+    for (const std::size_t p : find_named_parts(scene.deck, load.where)) {
+      const MaterialDeck& material = find_material(scene.deck, scene.deck.parts[p]);
+      if (find_traits(material).needs_equation_of_state && !can_rest(material, 0)) continue;  // a gas has this pressure
+      stiffness = std::max(stiffness, find_wave_modulus(material));
+    }
     const double largest = find_largest(load.value, scene.deck.time.end, false);
-    if (stiffness == 0 || largest <= much * stiffness) continue;  // a cold gas has none
+    if (stiffness == 0 || largest <= much * stiffness) continue;
     if (largest <= most * stiffness) {
       const std::string flight = describe_thrust(scene, load, largest);
       if (!flight.empty())
