@@ -18,13 +18,20 @@ KOKKOS_INLINE_FUNCTION FacePoints find_face_points(const ContactSurface& surface
   return points;
 }
 
-/// The direction in which a corner of a face is moved, by an offset of 1. points: of the face; normals: of all faces
-/// around it, at the places of `place`.
-template <class Place>
+/// A corner of a face with these points.
+struct FaceCorner {
+  const FacePoints& points;
+  int face, corner;
+};
+
+/// The direction in which a corner of a face is moved, by an offset of 1. normals: of all faces around it, at the
+/// places of `place`. seen(face, normal, whether it counts): called for each of these.
+template <class Place, class Seen>
 KOKKOS_INLINE_FUNCTION Point3 find_corner_direction(const ContactSurface& surface, const Place& place,
-                                                    const Rows3<const double>& normals, const FacePoints& points,
-                                                    int face, int corner) {
+                                                    const Rows3<const double>& normals, const FaceCorner& of,
+                                                    const Seen& seen) {
   const SurfaceOffsets& offsets = surface.offsets;
+  const auto& [points, face, corner] = of;
   const Point3 point = points.corner[corner], own = load_row(normals, face);
   const bool is_open = offsets.is_open(4 * face + corner) != 0;
   Point3 sum = own, outlook{};
@@ -37,6 +44,7 @@ KOKKOS_INLINE_FUNCTION Point3 find_corner_direction(const ContactSurface& surfac
       is_taken = is_taken || dot(from_middle, own) > 0;
       if (is_open) outlook = outlook + normalize(from_middle);
     }
+    seen(offsets.ring(j), normal, is_taken);
     if (is_taken) sum = sum + normal;
   }
   Point3 along_face = find_mitre(own, sum);
@@ -69,7 +77,8 @@ KOKKOS_INLINE_FUNCTION OutwardDirections find_outward_directions(const MovingSur
   const Point3 normal = load_row(moving.faces.normal, face), at_start = moving.faces.slab(face).normal_at_start;
   OutwardDirections found;
   for (int i = 0; i < 4; ++i) {
-    found.end.of[i] = find_corner_direction(surface, at_end, moving.faces.normal, end, face, i);
+    found.end.of[i] =
+        find_corner_direction(surface, at_end, moving.faces.normal, {end, face, i}, [](int, const Point3&, bool) {});
     found.start.of[i] = turn_from_to(normal, at_start, found.end.of[i]);
   }
   return found;

@@ -11,6 +11,7 @@ namespace percuss {
 LocalEdges::LocalEdges(const SurfaceShare& share, const ContactDeck& deck) : share_(share) {
   scratch_.points.method = find_method(deck.search);
   space_.keeps_still = deck.reuse_search;
+  lists_near_ = deck.reuse_search && share.largest_offset > 0;
   if (share.edges.empty()) return;
   // A table, because the faces around an edge request its nodes again and again.
   const OwnedContactNodes& nodes = share.nodes;
@@ -36,6 +37,7 @@ void LocalEdges::use(const EdgeSurface& surface) {
 }
 
 void LocalEdges::take_over(const LocalEdges& before) {
+  cells_.take_over(before.cells_);
   if (share_.edges.empty() || scratch_.points.method != SearchMethod::blocks) return;
   scratch_.points.blocks = before.scratch_.points.blocks;
   identify_edges();
@@ -67,11 +69,21 @@ std::int64_t LocalEdges::find_candidates(const SurfaceMotion& motion, double mar
     const Point3 half = find_half_piece(space, points, motion.x);
     bound_edges(space, points.ends, motion, find_edge_margin(half, margin, 2 * share_.largest_offset), boxes_);
     const EdgeQuery query{points_.names, places_, motion.x, boxes_, find_edge_slack(half, margin)};
-    hits = find_edge_pairs(space, space_.surface, query, limit, scratch_, space_.pairs);
+    hits = find_edge_pairs(space, space_.surface, query, limit, scratch_, all_);
   });
   refuse_too_many_pairs(hits, limit, margin);
+  space_.pairs = all_;
   space_.near.forget();
-  return space_.pairs.num_pairs;
+  cells_.forget();
+  return all_.num_pairs;
+}
+
+int LocalEdges::check(const SurfaceMotion& motion, const EdgeHistory& history) {
+  if (lists_near_ && all_.num_pairs > 0) {
+    cells_.update(EdgeCheckInputs{space_.surface, motion, {}, history}, all_);
+    space_.pairs = cells_.choose(all_);
+  }
+  return check_edge_pairs(motion, history, space_);
 }
 
 }  // namespace percuss

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernels/contact/check/edge_cells.hpp"
+#include "src/contact/check/cell_list.hpp"
 #include "src/contact/check/check_space.hpp"
 #include "src/contact/check/edge_space.hpp"
 
@@ -24,12 +26,12 @@ class LocalEdges {
   std::int64_t find_candidates(const SurfaceMotion& motion, double margin);
 
   /// ContactFinder::narrow() for edges.
-  void narrow(const NearWay& way) { space_.near.ask(way.near); }
+  void narrow(const NearWay& way) {
+    if (!lists_near_) space_.near.ask(way.near);
+  }
 
   /// The detailed check of these pairs; returns the number of touches.
-  int check(const SurfaceMotion& motion, const EdgeHistory& history) {
-    return check_edge_pairs(motion, history, space_);
-  }
+  int check(const SurfaceMotion& motion, const EdgeHistory& history);
 
   /// Appends the touches of the last check, by (A, B), after the first `count` of `touches`.
   void append_touches(int count, Array<RowTouch>& touches) const { append_edge_touches(space_, count, touches); }
@@ -37,6 +39,7 @@ class LocalEdges {
   bool has_found_nothing_new() const { return space_.has_found_nothing_new(); }
 
   std::vector<EdgePenetration> find_penetrations(const SurfaceMotion& motion) {
+    space_.pairs = all_;
     return measure_edge_pairs(motion, space_);
   }
 
@@ -53,6 +56,9 @@ class LocalEdges {
 
   const SurfaceShare& share_;
   EdgeSpace space_;
+  bool lists_near_ = false;  // with shells: of the pairs of a search cells say which are near enough to be checked
+  EdgePairs all_;            // of the last search
+  CellList<EdgeCells, EdgePairs> cells_;
   std::vector<EdgeTopology> divided_edges_;  // SurfaceShare::edges, in pieces of now
   EdgePointLists points_;
   Rows3<double> places_ = Rows3<double>("contact::edge_places", 0);

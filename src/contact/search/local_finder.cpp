@@ -44,6 +44,7 @@ ContactSurface make_whole_surface(const SurfaceShare& share) {
 LocalFinder::LocalFinder(const SurfaceShare& share, const ContactDeck& deck) : share_(share), edges_(share, deck) {
   scratch_.method = find_method(deck.search);
   check_.keeps_still = deck.reuse_search;
+  lists_near_ = deck.reuse_search && share.largest_offset > 0;
   set_surface(make_whole_surface(share), list_face_numbers(share), check_);
   node_numbers_ = to_view("contact::node_numbers", share.nodes.numbers);
   boxes_ = Boxes("contact::boxes", share.searched_faces.size());
@@ -65,6 +66,7 @@ LocalFinder::LocalFinder(const LocalFinder& of_run, const LookedAt& at)
 void LocalFinder::take_over(const ContactFinder& before) {
   const auto& other = dynamic_cast<const LocalFinder&>(before);  // of the same number of ranks
   check_.counts = other.check_.counts;
+  cells_.take_over(other.cells_);
   edges_.take_over(other.edges_);
   if (scratch_.method != SearchMethod::blocks) return;
   scratch_.blocks = other.scratch_.blocks;
@@ -89,12 +91,14 @@ std::int64_t LocalFinder::search_faces(const SurfaceMotion& motion, double margi
   // A search is some eighty launches, most of them of the sorts.
   run_where_it_pays(static_cast<int>(share_.searched_faces.size()) / 2, [&](const auto& space) {
     bound_faces(space, share_.bounded_faces(), motion, margin, boxes_);
-    pairs = find_candidate_pairs(space, surface, {motion.x, boxes_}, limit, scratch_, check_.candidates);
-    if (pairs <= limit) list_concerned(space, surface, scratch_.concerned, check_.candidates);
+    pairs = find_candidate_pairs(space, surface, {motion.x, boxes_}, limit, scratch_, all_);
+    if (pairs <= limit) list_concerned(space, surface, scratch_.concerned, all_);
   });
   refuse_too_many_pairs(pairs, find_pair_limit(share_), margin);
   refuse_crowded_ranks(pairs > most_indexed_pairs ? 1 : 0);
+  check_.candidates = all_;
   check_.near.forget();
+  cells_.forget();
   return pairs;
 }
 
@@ -118,11 +122,11 @@ int LocalFinder::send_results_to_fe_owners(const ContactHistory& /*history*/, Ar
 }
 
 int LocalFinder::check_faces(const SurfaceMotion& motion, const ContactHistory& history) {
-  if (check_.candidates.num_pairs == 0) {
+  if (all_.num_pairs == 0) {
     forget_touches(check_);
     return 0;
   }
-  const CandidateList& read = check_.read_pairs();
+  const CandidateList& read = lists_near_ ? all_ : check_.read_pairs();
   const Array<const int> nodes = read.nodes;
   const Array<const std::int64_t> numbers = check_.face_numbers, old = history.face;
   const Array<int> history_face = check_.history_face;
@@ -133,12 +137,19 @@ int LocalFinder::check_faces(const SurfaceMotion& motion, const ContactHistory& 
           history_face(record) = find_remembered_face(numbers, old(record), history_face(record));
         }
       });
+  if (lists_near_) {
+    cells_.update(check_.make_inputs(motion), all_);
+    check_.candidates = cells_.choose(all_);
+    check_.counts.candidates += all_.num_pairs - check_.candidates.num_pairs;
+    check_.counts.left_out += all_.num_pairs - check_.candidates.num_pairs;
+  }
   check_candidates(motion, check_);
   return check_.touches.count;
 }
 
 std::vector<Penetration> LocalFinder::find_penetrations(const SurfaceMotion& motion) {
-  if (check_.candidates.num_pairs == 0) return {};
+  if (all_.num_pairs == 0) return {};
+  check_.candidates = all_;
   const PenetrationTable table = measure_candidates(motion, check_);
   const auto depth = to_host(table.depth), ratio = to_host(table.ratio), limit = to_host(table.limit);
   const auto size = to_host(check_.faces.size);
@@ -159,6 +170,7 @@ std::vector<EdgePenetration> LocalFinder::find_edge_penetrations(const SurfaceMo
 std::vector<PartGap> LocalFinder::find_gaps(const SurfaceMotion& motion) {
   std::vector<int> parts;
   for (const FaceTopology& face : share_.faces) parts.push_back(face.part);
+  check_.candidates = all_;
   return measure_gaps(motion, check_, parts);
 }
 

@@ -2,6 +2,8 @@
 // One rank has the whole surface: search and check run on the arrays of the mesh. The steps of
 // ContactFinder::search() and check() that send do nothing.
 
+#include "kernels/contact/search/near_cells.hpp"
+#include "src/contact/check/cell_list.hpp"
 #include "src/contact/check/check_space.hpp"
 #include "src/contact/search/contact_finder.hpp"
 #include "src/contact/search/local_edges.hpp"
@@ -18,7 +20,7 @@ class LocalFinder : public ContactFinder {
   LocalFinder(const LocalFinder& of_run, const LookedAt& at);
 
   void narrow(const NearWay& way) override {
-    check_.near.ask(way);
+    if (!lists_near_) check_.near.ask(way);
     edges_.narrow(way);
   }
   bool has_found_nothing_new() const override {
@@ -52,6 +54,9 @@ class LocalFinder : public ContactFinder {
 
   const SurfaceShare& share_;
   CheckSpace check_;
+  bool lists_near_ = false;  // with shells: of the pairs of a search cells say which are near enough to be checked
+  CandidateList all_;        // of the last search
+  CellList<NearCells, CandidateList> cells_;
   Array<const std::int64_t> node_numbers_;  // [contact nodes]
   int of_faces_ = 0, found_ = 0;            // touches of the last check: of nodes and faces, of all
   int found_before_ = 0;                    // by the check before it; -1: its touches may have been written over
