@@ -75,6 +75,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"loose_relaxation", "relaxation with a loose tolerance"},
       {"idle_load", "load on nodes that cannot follow it"},
       {"flat_membrane", "flat membrane without tension that is loaded across"},
+      {"fluid_surface", "fluid that begins with another pressure at its top than acts there"},
       {"standing_fluid", "fluid that is held against gravity and begins without pressure"},
       {"symmetry_plane", "symmetry of nodes that do not lie in a plane across its normal"},
       {"damping_size", "damping that stops the motion"},

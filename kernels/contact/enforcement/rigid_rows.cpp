@@ -75,7 +75,7 @@ class Island {
   /// against each other without end. `accepted` [velocity] takes the place of `enough` after patient_sweeps.
   RigidReport solve(double enough, double accepted) {
     constexpr int max_sweeps = 1000, plain_sweeps = 8, accelerated_sweeps = 300;  // after these plain ones again
-    constexpr int patient_sweeps = 60;
+    constexpr int patient_sweeps = accelerated_sweeps;
     RigidReport report;
     double last_move = std::numeric_limits<double>::infinity();
     while (report.sweeps < max_sweeps) {

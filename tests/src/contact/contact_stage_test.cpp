@@ -146,7 +146,7 @@ TEST(ContactStage, DeepInAThicknessAHistoryGoesFromFaceToFace) {
 parts:
   plate: {shell_plate: {size: [8, 8], cells: [2, 2]}, thickness: 1, material: m}
   cube: {box: {size: [0.2, 0.2, 0.2], cells: [1, 1, 1]}, at: [3.795, 1.9, 0.5], material: m}
-contact: {surfaces: all, reuse_search: )";
+contact: {surfaces: all, enforcement: kinematic, reuse_search: )";
   FreeNodes reused(plate + "true}"), fresh(plate + "false}");
   for (FreeNodes* nodes : {&reused, &fresh}) {
     nodes->hold("plate");
@@ -177,7 +177,7 @@ TEST(ContactStage, AThickRimThatTurnsKeepsItsDistance) {
 parts:
   strip: {shell_plate: {size: [1, 0.5], cells: [1, 1]}, thickness: 0.2, material: m}
   cube: {box: {size: [0.05, 0.05, 0.05], cells: [1, 1, 1]}, at: [0.9, 0.2, 0.1], material: m}
-contact: {surfaces: all}
+contact: {surfaces: all, enforcement: kinematic}
 )");
   nodes.hold("strip");
   const double turn = 2e-3;

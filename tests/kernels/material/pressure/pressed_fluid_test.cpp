@@ -80,9 +80,9 @@ TEST(PressedFluid, OfATableWithKinksHasTheWeightAbove) {
   for (const double more : {0.5, 1.0, 1e3}) {
     const double j = std::exp(-0.01) - more * of_soft / stiff;
     const PressedFluid at = press(table, density, 0, (1 + more) * of_soft);
-    EXPECT_NEAR(at.j, j, 1e-9);
+    EXPECT_NEAR(at.j, j, 2e-6);
     const double exact = 2e4 - stiff * (std::log(j) + 0.01);
-    EXPECT_NEAR(find_pressure(table, density, at).pressure, exact, 1e-6 * exact) << more;
+    EXPECT_NEAR(find_pressure(table, density, at).pressure, exact, 1e-4 * exact) << more;
   }
 }
 

@@ -247,7 +247,7 @@ TEST(BlockEnergies, RefuseNamesThatAreNoBlocks) {
   EXPECT_NO_THROW(take("[core, bar/low]"));
   EXPECT_ERROR(take("[cores]"), InputError, "is called 'cores'");
   EXPECT_ERROR(take("[bar/cores]"), InputError, "is called 'bar/cores'");
-  EXPECT_ERROR(take("[bar]"), InputError, "is called 'bar'");
+  EXPECT_ERROR(take("[bar]"), InputError, "names the part 'bar'");
 }
 
 }  // namespace percuss::test
