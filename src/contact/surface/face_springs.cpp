@@ -34,7 +34,11 @@ std::vector<double> find_face_springs(const Mesh& mesh, const Deck& deck, const 
     const double area = find_area(corner(0), corner(1), corner(2), corner(3));
     const ElementBlock& block = mesh.block_of(element);
     const bool of_shell = mesh.topology_of(element).is_surface();
-    const double length = of_shell ? mesh.thickness_of(element) : area * area / find_element_volume(mesh, element);
+    const bool is_rigid = deck.parts[static_cast<std::size_t>(block.part)].rigid.has_value();
+    // A rigid sheet gives way as a cube of its face would, however thin it is.
+    const double length = !of_shell  ? area * area / find_element_volume(mesh, element)
+                          : is_rigid ? std::sqrt(area)
+                                     : mesh.thickness_of(element);
     springs[f] = find_modulus(deck.materials[static_cast<std::size_t>(block.material)], of_shell) * length;
   }
   return springs;

@@ -86,7 +86,7 @@ PROOFS = [
     Proof("INTEGRATION_BEAM: NIP RA", ruled("*INTEGRATION_BEAM\n7,1,1.0,0\n0.0,0.0,1.0\n"), refused="points of its own"),
     Proof("INTEGRATION_BEAM: SREF TREF", ruled("*INTEGRATION_BEAM\n7,0,0.0,8\n0.6,0,0,0,1.0,0\n"), refused="in the middle of the section"),
     Proof("MAT_NULL: RO", edged("*SET_PART_LIST\n7\n1,2,3\n*CONTACT_AUTOMATIC_GENERAL\n7,0,2\n0\n\n"),
-          [("momentum_z", FIRST, -SPEED * (SHEET_MASS + LINE_MASS), 1e-9), ("node_31_z", LAST, 10.25, 1e-3)],
-          "a beam without strength on the edge of a sheet: the sheet touches at half its thickness"),
+          [("momentum_z", FIRST, -SPEED * (SHEET_MASS + LINE_MASS), 1e-9), (lambda h: min(h["node_31_z"]), LAST, 10.25, 2e-2)],
+          "a beam without strength on the edge of a sheet: the sheet comes down to half its thickness, and springs throw it back"),
     Proof("MAT_NULL", fall(PAIR, law=3).replace("*CONTACT", "*MAT_NULL\n3,7.8e-9\n*CONTACT", 1), refused="without strength"),
 ]  # fmt: skip
