@@ -122,7 +122,8 @@ void RigidStage::upload(const State& state, double dt) {
 /// time 0 then has it at rest: its work on what it touches is the mean of the motion before and after, as that of the
 /// body.
 void RigidStage::leave_out_held_motion(const State& state) {
-  const auto steps = Kokkos::create_mirror_view(steps_);
+  const Array<BodyStep> free("percuss::free_steps", steps_.extent(0));
+  const auto steps = Kokkos::create_mirror_view(free);
   copy_values(steps, steps_);
   for (std::size_t b = 0; b < next_.size(); ++b) {
     const RigidState& now = state.bodies[b];
@@ -132,7 +133,6 @@ void RigidStage::leave_out_held_motion(const State& state) {
       if (holds(model_.rigid.bodies[b], now, dof + 3)) set(steps(b).spin, k, get(now.spin, k));
     }
   }
-  const Array<BodyStep> free("percuss::free_steps", steps_.extent(0));
   copy_values(free, steps);
   set_rigid_velocities(ExecSpace(), model_.rigid.nodes, free, state.v);
 }

@@ -163,9 +163,7 @@ TEST_F(CheckpointFile, CountsAreHeldAgainstTheFileBeforeMemoryIsTaken) {
        {std::int64_t{1}, std::int64_t{-5}, std::int64_t{300'000'000}, std::int64_t{1} << 62}) {
     std::vector<std::int64_t> changed = counts;
     if (world().rank() == 0) changed[0] += wrong;
-    EXPECT_ERROR(reader.expect_rows("chunks/some", changed, 2), InputError,
-                 "the checkpoint has a value of chunks/some that is impossible")
-        << wrong;
+    EXPECT_ERROR(reader.expect_rows("chunks/some", changed, 2), InputError, "chunks/some") << wrong;
   }
 }
 
