@@ -1,5 +1,6 @@
 #include "kernels/contact/check/edge_cells.hpp"
 
+#include "kernels/contact/check/near_edges.hpp"
 #include "kernels/contact/geometry/contact_limits.hpp"
 #include "kernels/contact/geometry/edge_distance.hpp"
 #include "kernels/core/index_lists.hpp"
@@ -92,21 +93,6 @@ void mark_held_pairs(const WorkSpace& space, const EdgeCheckInputs& inputs, cons
         if (a == num_edges || b == num_edges || i == num_pairs || of_a(i) != a || of_b(i) != b) return;
         if (numbers(a) == past.a(r) && numbers(b) == past.b(r)) held(i) = now;
       });
-}
-
-/// Edges of the pairs, ascending.
-void list_edges(const WorkSpace& space, int num_edges, const Array<int>& mark, EdgePairs& pairs) {
-  const Array<const int> a = pairs.a, b = pairs.b;
-  parallel_for(
-      "contact::clear_edge_marks", RangeOf(space, 0, num_edges), KOKKOS_LAMBDA(int e) { mark(e) = 0; });
-  parallel_for(
-      "contact::mark_near_edges", RangeOf(space, 0, pairs.num_pairs), KOKKOS_LAMBDA(int i) {
-        Kokkos::atomic_fetch_or(&mark(a(i)), 1);
-        Kokkos::atomic_fetch_or(&mark(b(i)), 1);
-      });
-  const Array<const int> marked = mark;
-  pairs.num_edges = list_where(
-      space, num_edges, [marked] KOKKOS_FUNCTION(int e) { return marked(e) != 0; }, pairs.edges);
 }
 
 /// Whether the pairs that are kept are those of the list before.

@@ -1,5 +1,5 @@
 #pragma once
-// Which pairs of edges can come into contact soon: near_cells.hpp for edges.
+// Pairs of edges that can come into contact soon: near_cells.hpp for edges.
 
 #include "kernels/contact/check/edge_touches.hpp"
 #include "kernels/contact/search/cell_travels.hpp"

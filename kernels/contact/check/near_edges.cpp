@@ -28,7 +28,8 @@ void bound_ways(const WorkSpace& space, const EdgeSurface& surface, const Surfac
       });
 }
 
-/// Edges of the pairs, ascending.
+}  // namespace
+
 void list_edges(const WorkSpace& space, int num_edges, const Array<int>& mark, EdgePairs& pairs) {
   const Array<const int> a = pairs.a, b = pairs.b;
   parallel_for(
@@ -42,8 +43,6 @@ void list_edges(const WorkSpace& space, int num_edges, const Array<int>& mark, E
   pairs.num_edges = list_where(
       space, num_edges, [marked] KOKKOS_FUNCTION(int e) { return marked(e) != 0; }, pairs.edges);
 }
-
-}  // namespace
 
 bool list_near_edges(const WorkSpace& space, const EdgeCheckInputs& inputs, const EdgePairs& all,
                      const NearLimits& limits, NearEdgeScratch& scratch, EdgePairs& near) {

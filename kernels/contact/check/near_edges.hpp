@@ -13,6 +13,9 @@ struct NearEdgeScratch {
   Array<int> mark = Array<int>("contact::near_edge_mark", 0);   // [edges]
 };
 
+/// EdgePairs::edges and num_edges from the pairs. mark: [num_edges] scratch.
+void list_edges(const WorkSpace& space, int num_edges, const Array<int>& mark, EdgePairs& pairs);
+
 /// Fills `near` with the pairs of `all` that the check could accept before some node has gone farther than the travel
 /// from its place at n, in the same order. Returns whether there are at most `most_pairs`; otherwise they are not
 /// listed. Of the inputs surface and motion are read.

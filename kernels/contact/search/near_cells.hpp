@@ -1,5 +1,5 @@
 #pragma once
-// Which candidate pairs can come into contact soon, by how far nodes move beside each other.
+// Candidate pairs that can come into contact soon, by how far nodes move beside each other.
 //
 // Eight contact nodes with candidates are a cell. Whether one of its nodes can be in contact with one of its candidate
 // faces depends on the motion of the nodes of these faces, and of those around them, relative to each other: a body
